@@ -46,12 +46,28 @@ class Engine {
         server_(limits, [this] { end_strays(); }) {}
 
   Finish run() {
+    try {
+      const Finish out = play();
+      store_.settle();
+      return out;
+    } catch (...) {
+      store_.settle();  // what was played until then
+      throw;
+    }
+  }
+
+ private:
+  Finish play() {
     while (due_ < schedule_.matches) {
       if (schedule_.asked_to_stop && schedule_.asked_to_stop()) return Finish::interrupted;
       fill();
       if (!hand_on()) return Finish::enough;
-      if (runs_.empty()) continue;
+      if (runs_.empty()) {
+        if (store_.waiting_is_full()) store_.settle();
+        continue;
+      }
       wait();
+      store_.write_waiting();
       for (std::size_t i = 0; i < runs_.size();) {
         if (!runs_[i]->match.advance()) {
           ++i;
@@ -65,8 +81,7 @@ class Engine {
     return Finish::complete;
   }
 
- private:
-  struct Waiting {
+  struct Ready {
     std::optional<Decided> decided;
     bool fresh;
   };
@@ -80,15 +95,16 @@ class Engine {
 
   // Gives every free worker a match.
   void fill() {
+    if (store_.waiting_is_full()) return;
     while (runs_.size() < workers_ && next_ < schedule_.matches && next_ < due_ + ahead * workers_) {
       const std::uint64_t index = next_++;
       const std::optional<MatchKey> key = schedule_.at(index);
       if (!key) {
-        decided_.emplace(index, Waiting{std::nullopt, false});
+        decided_.emplace(index, Ready{std::nullopt, false});
         continue;
       }
       if (auto stored = store_.find(row(index), *key, schedule_.metrics)) {
-        decided_.emplace(index, Waiting{std::move(stored), false});
+        decided_.emplace(index, Ready{std::move(stored), false});
         continue;
       }
       const auto same = std::ranges::find_if(runs_, [&](const std::unique_ptr<Run>& run) { return run->key == *key; });
@@ -130,7 +146,7 @@ class Engine {
       schedule_.not_recorded(match.job(), match.not_recorded());
     }
     store_.insert(row(run.indices.front()), run.key, match.decided(), match.plays());
-    for (const std::uint64_t index : run.indices) decided_.emplace(index, Waiting{match.decided(), true});
+    for (const std::uint64_t index : run.indices) decided_.emplace(index, Ready{match.decided(), true});
   }
 
   const Schedule& schedule_;
@@ -139,7 +155,7 @@ class Engine {
   Limits limits_;
   process::Descendants descendants_;
   std::vector<std::unique_ptr<Run>> runs_;
-  std::map<std::uint64_t, Waiting> decided_;  // by index, not yet handed on
+  std::map<std::uint64_t, Ready> decided_;  // by index, not yet handed on
   std::uint64_t next_ = 0, due_ = 0;
   ForkServer server_;  // ends before the runs: it looks for children that are none of theirs
 };

@@ -160,7 +160,11 @@ class IsolatedMatch {
         match::unsound(out, setup_.robots[match::index(side)],
                        {setup_.roles[match::index(side)].size(), setup_.reasons[match::index(side)].size(),
                         setup_.plugin_metrics[match::index(side)].size()});
-    if (!why.empty()) throw Fault(noted(asked, "its mind handed over an outcome that is not sound: " + why), false);
+    if (!why.empty()) {
+      const Failure failure{number_of(asked), "", "",
+                            number,           0,  "its mind handed over an outcome that is not sound: " + why};
+      throw Fault(failure, false);
+    }
   }
 
   template <class T>
@@ -246,11 +250,27 @@ class IsolatedMatch {
     const std::optional<process::ProcessEnd> end = looked_at.process.look();
     if (!end) return;
     if (end->out_of_processor_time())
-      throw Fault(noted(looked_at, process::used_processor_time(limits_.match_seconds()) + " in one match"), false);
-    throw Fault(noted(looked_at, end->in_words()), end->was_stopped() || end->from_outside());
+      throw Fault(died(looked_at, process::used_processor_time(limits_.match_seconds()) + " in one match"), false);
+    throw Fault(died(looked_at, end->in_words()), end->was_stopped() || end->from_outside());
   }
 
-  // A failure of the call that was under way last.
+  // The plugin whose call was under way is named where the process came to its end in that plugin's own code. Else a
+  // thread, a timer or what another plugin wrote into its memory may have done it: that it is its team's is known.
+  Failure died(const Thinkers& dead, const std::string& what) {
+    Failure out = noted(dead, what);
+    const WorkerNote note = dead.channel.note().sound();
+    const auto parts = plans_[match::index(dead.place.side)]->parts();
+    const auto called =
+        std::ranges::find_if(parts, [&](const mind::Part* each) { return each->found->descriptor->id == out.plugin; });
+    const bool own = note.call.inside == 1 && called != parts.end() &&
+                     plugin::ended_in(note.fatal, (*called)->found->file.filename().string());
+    if (own) return out;
+    out.plugin.clear();
+    out.call.clear();
+    return out;
+  }
+
+  // A failure of the call that was under way last, or that is.
   Failure noted(const Thinkers& failed, const std::string& what) {
     const WorkerNote note = failed.channel.note().sound();
     return {number_of(failed),     note.call.plugin.data(),

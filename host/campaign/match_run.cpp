@@ -167,7 +167,11 @@ void MatchRun::played(const Answer& answer) {
       compare(answer.decided);
       return;
     case Stage::alone:
-      decide_first();
+      alone_ = true;
+      if (same_match(*first_, answer.decided))
+        decide_first();
+      else
+        start(Stage::traced);
       return;
     case Stage::traced: {
       const bool same = same_match(*first_, answer.decided);
@@ -226,9 +230,18 @@ void MatchRun::played(const Answer& answer) {
 void MatchRun::failed(Attempt attempt) {
   attempts_.push_back(std::move(attempt));
   switch (judge(attempts_)) {
-    case Judgement::forfeit:
-      decide(forfeit(*attempts_.back().failure, 0.0));
+    case Judgement::forfeit: {
+      const Failure& failure = *attempts_.back().failure;
+      if (!first_) {
+        decide(forfeit(failure, 0.0));
+        break;
+      }
+      // The first play stands: other matches of its pairing are not looked at so closely either.
+      first_->broken = fmt::format("{}, robot {}, tick {}: {}", failure.side == 0 ? "home" : "away", failure.robot,
+                                   failure.tick, attempts_.back().what);
+      start(Stage::alone);
       break;
+    }
     case Judgement::give_up:
       throw CampaignError(
           CampaignError::Kind::machine,
@@ -287,7 +300,7 @@ void MatchRun::decide_first() {
   if (failed != attempts_.end()) {
     if (failed->from_outside)
       accident_ = failed->what;
-    else if (first_->irreproducible.empty() && first_->shared.empty())
+    else if (first_->irreproducible.empty() && first_->shared.empty() && first_->broken.empty())
       first_->irreproducible = "the second play failed, in another process and folder: " + failed->what;
   }
   decide(Decided(*first_));

@@ -168,6 +168,7 @@ void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64
   const int number = static_cast<int>(match::index(place.side));
   plugin::note_fatal_signals(channel.note().fatal);
   if (examination.confined) confine(channel.note());
+  plugin::keep_orphans();
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = ::getpid();
   try {

@@ -5,7 +5,9 @@
 #include <regista/extensions/log.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <optional>
@@ -99,10 +101,26 @@ class JobRecording {
   match::AfterDecision after_;
 };
 
+// Only what the loader of shared objects and tools that look into a process read stays as it is.
+void change_environment() {
+  constexpr std::array<std::string_view, 4> kept{"PATH=", "LD_", "GCOV", "LLVM_PROFILE"};
+  std::vector<std::string> names;
+  for (char** each = environ; each != nullptr && *each != nullptr; ++each) {
+    const std::string_view variable = *each, name = variable.substr(0, variable.find('='));
+    const auto begins = [variable](std::string_view with) { return variable.starts_with(with); };
+    if (std::ranges::none_of(kept, begins) && !name.ends_with("SAN_OPTIONS")) names.emplace_back(name);
+  }
+  for (const std::string& each : names) ::unsetenv(each.c_str());
+  ::setenv("HOME", "/", 1);
+  ::setenv("LANG", "C", 1);
+  ::setenv("TZ", "XXX-7:23", 1);
+}
+
 // To another place and time: nothing that a match may depend on is there.
 void go_elsewhere() {
   std::error_code none;
   std::filesystem::current_path("/", none);
+  change_environment();
   // Whatever is allocated from now on lies elsewhere.
   static const std::vector<char> padding(300'007);
   // Another year, month, day of the week and hour.
@@ -121,6 +139,7 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
       answers.clear();
     };
   }
+  plugin::keep_orphans();
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = getpid();
   const match::Result result = match::play(std::move(prepared.setup), plans, recording.observer(), after,

@@ -4,8 +4,11 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sqlite3.h>
 
 #include <algorithm>
+#include <thread>
+#include <type_traits>
 #include <utility>
 
 #include "campaign/row_checksum.hpp"
@@ -18,11 +21,35 @@ constexpr std::size_t most_named = 10;  // damaged rows
 
 std::string tables() { return StoredFixtures::tables + StoredMatches::tables() + StoredDocuments::tables; }
 
+constexpr auto between_tries = std::chrono::milliseconds(100);
+constexpr auto shortest_patience = std::chrono::seconds(5);
+
+// A match that is to be written.
+struct Waiting {
+  std::int64_t row;
+  MatchKey key;
+  Decided decided;
+  int attempts;
+};
+
+// In memory, about.
+std::size_t size_of(const Decided& decided) {
+  const auto texts = {&decided.why_set_aside, &decided.irreproducible, &decided.shared, &decided.broken,
+                      &decided.kept,          &decided.unproven,       &decided.output};
+  std::size_t out = sizeof(Waiting) + decided.metrics.values().size_bytes();
+  for (const std::string* each : texts) out += each->size();
+  return out;
+}
+
 // Also for what stands in the file but was not written by this program.
 template <class Parts, class Work>
 auto guarded(Parts& parts, Work work) {
   const auto about = [&](const SQLite::Exception& error) {
-    return fmt::format("results in {}: {}", parts.file.name(), reason(error));
+    const std::string text = fmt::format("results in {}: {}", parts.file.name(), reason(error));
+    const std::size_t lost = parts.waiting.size();
+    if (lost == 0) return text;
+    return fmt::format("{}, so that {} lost", text,
+                       lost == 1 ? "a match that was played is" : fmt::format("{} matches that were played are", lost));
   };
   try {
     return work();
@@ -84,11 +111,77 @@ struct Store::Parts {
     file.database().exec("COMMIT");
   }
 
+  // Does what writes, in one transaction. Throws SQLite::Exception at once where another program holds the lock.
+  template <class Work>
+  auto write_now(Work work) {
+    file.require();
+    end_reading();
+    file.database().setBusyTimeout(0);
+    SQLite::Transaction transaction(file.database(), SQLite::TransactionBehavior::IMMEDIATE);
+    if constexpr (std::is_void_v<decltype(work())>) {
+      work();
+      transaction.commit();
+      written();
+    } else {
+      auto out = work();
+      transaction.commit();
+      written();
+      return out;
+    }
+  }
+
+  // The same, as soon as that can be, and after all that waits.
+  template <class Work>
+  auto write(Work work) {
+    for (;;) {
+      try {
+        if (!waiting.empty()) write_now([&] { put_all_waiting(); });
+        return write_now(work);
+      } catch (const SQLite::Exception& error) {
+        if (error.getErrorCode() != SQLITE_BUSY || !goes_on_waiting()) throw;
+        std::this_thread::sleep_for(between_tries);
+      }
+    }
+  }
+
+  void put_all_waiting() {
+    for (const Waiting& each : waiting) matches.insert(each.row, each.key, each.decided, each.attempts);
+  }
+
+  void written() {
+    file.remember();
+    file.database().setBusyTimeout(StoreFile::wait_for_writers);
+    forget_waiting();
+    if (!locked_since) return;
+    if (go_on) go_on({locked_for(), 0, true});
+    locked_since.reset();
+  }
+
+  void forget_waiting() {
+    waiting.clear();
+    waiting_bytes = 0;
+  }
+
+  std::chrono::milliseconds locked_for() const {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - *locked_since);
+  }
+
+  // The lock was not to be had just now.
+  bool goes_on_waiting() {
+    if (!locked_since) locked_since = std::chrono::steady_clock::now();
+    const bool wanted = go_on && go_on({locked_for(), waiting.size(), false});
+    return wanted || locked_for() < shortest_patience;
+  }
+
   StoreFile file;
   StoredFixtures fixtures;
   StoredDocuments documents;
   StoredMatches matches;
   bool reading = false;
+  std::vector<Waiting> waiting;
+  std::size_t waiting_bytes = 0;
+  std::function<bool(const Locked&)> go_on;
+  std::optional<std::chrono::steady_clock::time_point> locked_since;
 };
 
 Store::Store(const std::filesystem::path& file, Mode mode, const std::string& program_version, Journal journal)
@@ -101,10 +194,7 @@ std::string Store::meta(const std::string& name) const {
 }
 
 void Store::set_meta(const std::string& name, const std::string& value) {
-  guarded(*parts_, [&] {
-    parts_->end_reading();
-    parts_->file.set_meta(name, value);
-  });
+  guarded(*parts_, [&] { parts_->write([&] { parts_->file.set_meta(name, value); }); });
 }
 
 std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) const {
@@ -112,20 +202,14 @@ std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) cons
 }
 
 std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
-  guarded(*parts_, [&] {
-    parts_->end_reading();
-    parts_->fixtures.add(fixtures);
-  });
+  guarded(*parts_, [&] { parts_->write([&] { parts_->fixtures.add(fixtures); }); });
   std::vector<std::string> keys;
   for (const Fixture& fixture : fixtures) keys.push_back(fixture.key);
   return numbers(keys);
 }
 
 void Store::keep(std::span<const Document> documents) {
-  guarded(*parts_, [&] {
-    parts_->end_reading();
-    parts_->documents.keep(documents);
-  });
+  guarded(*parts_, [&] { parts_->write([&] { parts_->documents.keep(documents); }); });
 }
 
 std::vector<Document> Store::documents() const {
@@ -133,6 +217,8 @@ std::vector<Document> Store::documents() const {
 }
 
 std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
+  const auto waits = std::ranges::find(parts_->waiting, key, &Waiting::key);
+  if (waits != parts_->waiting.end()) return waits->decided;
   return guarded(*parts_, [&] {
     parts_->begin_reading();
     return parts_->matches.find(row, key, metrics);
@@ -140,14 +226,36 @@ std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metric
 }
 
 void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
-  guarded(*parts_, [&] {
-    parts_->file.require();
-    parts_->end_reading();
-    SQLite::Transaction transaction(parts_->file.database());
-    parts_->matches.insert(row, key, decided, attempts);
-    transaction.commit();
+  parts_->waiting.push_back({row, key, decided, attempts});
+  parts_->waiting_bytes += size_of(decided);
+  write_waiting();
+}
+
+bool Store::write_waiting() {
+  if (parts_->waiting.empty()) return true;
+  return guarded(*parts_, [&] {
+    try {
+      parts_->write_now([&] { parts_->put_all_waiting(); });
+      return true;
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_BUSY) {
+        parts_->forget_waiting();  // no other try mends it
+        throw;
+      }
+      parts_->goes_on_waiting();  // which reports it
+      return false;
+    }
   });
 }
+
+void Store::settle() {
+  if (parts_->waiting.empty()) return;
+  guarded(*parts_, [&] { parts_->write([] {}); });
+}
+
+bool Store::waiting_is_full() const { return parts_->waiting_bytes > most_waiting_bytes; }
+
+void Store::when_locked(std::function<bool(const Locked&)> go_on) { parts_->go_on = std::move(go_on); }
 
 Taken Store::take(const Store& other, Unknown unknown) {
   Parts& there = *other.parts_;
@@ -163,14 +271,7 @@ Taken Store::take(const Store& other, Unknown unknown) {
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     if (ours[i] != 0) mine.emplace(theirs[i].first, ours[i]);
   }
-  return guarded(*parts_, [&] {
-    parts_->file.require();
-    parts_->end_reading();
-    SQLite::Transaction transaction(parts_->file.database());
-    Taken out = parts_->matches.take(there.matches, mine);
-    transaction.commit();
-    return out;
-  });
+  return guarded(*parts_, [&] { return parts_->write([&] { return parts_->matches.take(there.matches, mine); }); });
 }
 
 std::optional<Store::Row> Store::row(std::int64_t row) const {
@@ -188,7 +289,26 @@ match::MetricPaths Store::metric_paths(std::int64_t rows) const {
   return guarded(*parts_, [&] { return parts_->matches.metric_paths(rows); });
 }
 
-void Store::require_file() const { parts_->file.require(); }
+void Store::require_planned(std::int64_t from, std::int64_t to, const Planned& planned) const {
+  guarded(*parts_, [&] {
+    parts_->begin_reading();
+    const auto stray = parts_->matches.first_not_planned(from, to, planned);
+    if (stray) throw DamagedRow(*stray, "it is none of those that the study planned");
+  });
+}
+
+std::string Store::remark() const {
+  if (parts_->file.meta_is_checked()) return {};
+  return fmt::format("{}: an older Regista wrote it: its plan has no checksum, so that a change of it is not noticed",
+                     parts_->file.name());
+}
+
+void Store::require_whole_file() const {
+  guarded(*parts_, [&] {
+    parts_->end_reading();
+    parts_->file.require_whole();
+  });
+}
 
 std::int64_t Store::rows() const {
   return guarded(*parts_, [&] { return parts_->matches.rows(); });

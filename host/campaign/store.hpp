@@ -11,13 +11,18 @@
 //   remarks(row, kind, text)          why a match was set aside, where it was not reproducible, what plugins wrote
 //   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says
 //
-// A seed stands there as the signed number with the same bits. What a forfeit has not is null. All rows but those
-// of meta carry a checksum; one that does not fit is found when its match is read. docs/results.md describes the file
-// for other programs.
+// A seed stands there as the signed number with the same bits. What a forfeit has not is null. All rows carry a
+// checksum; one that does not fit is found when it is read. docs/results.md describes the file for other programs.
+//
+// Another program may hold the lock for writing, as somebody who looks at the file with SQLite's own shell does. Then
+// matches that have ended wait in memory, and are written as soon as it is free.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -34,9 +39,18 @@
 
 namespace regista::campaign {
 
+// Another program keeps us from writing.
+struct Locked {
+  std::chrono::milliseconds since{};  // so long already
+  std::size_t matches = 0;            // that wait in memory
+  bool over = false;                  // it does so no longer: all is written
+};
+
 class Store {
  public:
   using Mode = StoreMode;
+  static constexpr std::size_t most_waiting_bytes = std::size_t{64} << 20;
+
   // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database,
   // another schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
   Store(const std::filesystem::path& file, Mode mode, const std::string& program_version,
@@ -63,11 +77,29 @@ class Store {
 
   // The match of a key. `row`: where it is looked for first.
   std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;
-  // Also refuses a key that there is already, and a row that is taken. attempts: workers it took.
+  // Also refuses a key that there is already, and a row that is taken. attempts: workers it took. Where another program
+  // holds the lock the match waits in memory, in which find() sees it, until write_waiting() or settle().
   void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
+  // Tries to write what waits. False: something still does.
+  bool write_waiting();
+  // Writes all that waits, as soon as that can be.
+  void settle();
+  bool waiting_is_full() const;
+  // Is called again and again while another program holds the lock: whether to go on waiting for it; and once when that
+  // is over. Without it, and where it says no, what must be written is given up after 5 s.
+  void when_locked(std::function<bool(const Locked& locked)> go_on);
+
   std::int64_t rows() const;
-  // Throws StoreGone when the name does not lead to the file that is written to any more; so does insert().
-  void require_file() const;
+  // Throws StoreGone when the name does not lead to the file that is written to any more, or something else wrote into
+  // it, for which the whole file is read. What writes throws it, too, as far as that is seen without.
+  void require_whole_file() const;
+  // What a reader of results must know of this file, one line; mostly empty.
+  std::string remark() const;
+
+  // Throws StoreDamaged for the first match in the rows from `from` to `to` that is none of the plan: for which
+  // `planned` is false.
+  using Planned = std::function<bool(std::int64_t row, const MatchKey& key)>;
+  void require_planned(std::int64_t from, std::int64_t to, const Planned& planned) const;
 
   // Takes over the matches of another file of the same study that are not here yet, in their rows; all at once.
   // unknown: matches of which nothing like them was planned here are refused, or planned from then on.

@@ -12,9 +12,14 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
+#include "campaign/row_checksum.hpp"
+#include "config/text.hpp"
 #include "process/descriptor.hpp"
 
 namespace regista::campaign {
@@ -22,8 +27,8 @@ namespace {
 
 constexpr int application = 0x52475354;          // "RGST": tells our files from those of other programs
 constexpr int one_thread = SQLITE_OPEN_NOMUTEX;  // each is used by one thread
-constexpr int wait_for_writers = 5000;           // ms to wait for somebody who is writing
 constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
+constexpr auto overwritten = "something else has written into the file: ";
 
 // Before it is opened: a pipe would wait for ever.
 void refuse_what_is_no_file(const std::filesystem::path& file) {
@@ -33,6 +38,15 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
   throw StoreRefusal(std::filesystem::is_directory(status)
                          ? fmt::format("{} is a folder, not a file of results", file.string())
                          : fmt::format("{} is no ordinary file, so it holds no results", file.string()));
+}
+
+constexpr std::size_t head_size = 72;  // bytes
+
+// "Database File Format", sqlite.org: the application's number stands at byte 68, most significant byte first.
+bool is_head(std::string_view head) {
+  int number = 0;
+  for (const char each : head.substr(68, 4)) number = number << 8 | static_cast<unsigned char>(each);
+  return head.starts_with("SQLite format 3") && number == application;
 }
 
 // What would mean something in an address of a file.
@@ -47,19 +61,31 @@ std::string in_address(const std::string& path) {
   return out;
 }
 
+std::int64_t checksum_of_meta(const std::string& name, const std::string& value) {
+  return RowChecksum().bytes(name).bytes(value).value();
+}
+
+// For messages.
+std::string meaning_of_meta(const std::string& name) {
+  if (name == "schedule") return "the plan of its study";
+  if (name == "documents") return "the teams' documents";
+  return fmt::format("the text {} of the table meta", config::in_quotes(name));
+}
+
 }  // namespace
 
 // What a name leads to.
 struct StoreFile::Identity {
   dev_t device = 0;
   ino_t number = 0;
-  friend bool operator==(const Identity&, const Identity&) = default;
+  off_t size = 0;  // none of our files becomes shorter while it is open
+  bool same_file(const Identity& other) const { return device == other.device && number == other.number; }
 };
 
 std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& name) {
   struct stat about {};
   if (::stat(name.c_str(), &about) != 0) return std::nullopt;
-  return Identity{about.st_dev, about.st_ino};
+  return Identity{about.st_dev, about.st_ino, about.st_size};
 }
 
 // Held from before the database is opened until after it is closed: closing any descriptor of a file gives up the
@@ -116,6 +142,12 @@ class StoreFile::Hold {
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;
 
+  // Whether the file begins as those of this program do ("Database File Format", sqlite.org).
+  bool begins_as_ours() const {
+    std::array<char, head_size> head{};
+    return pread(descriptor_, head.data(), head.size(), 0) == head_size && is_head({head.data(), head.size()});
+  }
+
  private:
   int descriptor_ = -1;
 };
@@ -142,13 +174,9 @@ bool is_of_the_disk(const SQLite::Exception& error) {
 }
 
 bool is_store(const std::filesystem::path& file) {
-  // "Database File Format", sqlite.org: the application's number stands at byte 68, most significant byte first.
-  std::array<unsigned char, 72> head{};
+  std::array<char, head_size> head{};
   std::ifstream in(file, std::ios::binary);
-  if (!in.read(reinterpret_cast<char*>(head.data()), head.size())) return false;
-  int number = 0;
-  for (std::size_t i = 68; i < head.size(); ++i) number = number << 8 | head[i];
-  return number == application;
+  return in.read(head.data(), head.size()) && is_head({head.data(), head.size()});
 }
 
 StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
@@ -157,7 +185,7 @@ StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const st
   open();
   try {
     prepare(program_version, tables);
-    if (const auto identity = identity_of(name_)) identity_ = std::make_unique<const Identity>(*identity);
+    remember();
   } catch (const SQLite::Exception& error) {
     refuse(error);
   }
@@ -225,14 +253,18 @@ void StoreFile::prepare(const std::string& version, const std::string& tables) {
                                    schema > store_schema ? "a newer" : "an older", by.empty() ? "" : ", " + by, schema,
                                    store_schema));
   }
+  meta_is_checked_ =
+      database_->execAndGet("SELECT count(*) FROM pragma_table_info('meta') WHERE name = 'checksum'").getInt() != 0;
   if (mode_ == StoreMode::read) return;
+  if (!meta_is_checked_) add_meta_checksums();
   database_->exec(journal_ == Journal::log ? "PRAGMA journal_mode=WAL" : "PRAGMA journal_mode=DELETE");
   database_->exec(journal_ == Journal::log ? "PRAGMA synchronous=NORMAL" : "PRAGMA synchronous=FULL");
 }
 
 void StoreFile::begin(const std::string& version, const std::string& tables) {
   SQLite::Transaction transaction(*database_);
-  database_->exec("CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;");
+  database_->exec(
+      "CREATE TABLE meta(name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum INTEGER NOT NULL) WITHOUT ROWID;");
   database_->exec(tables);
   database_->exec(fmt::format("PRAGMA application_id={}", application));
   database_->exec(fmt::format("PRAGMA user_version={}", store_schema));
@@ -240,29 +272,75 @@ void StoreFile::begin(const std::string& version, const std::string& tables) {
   transaction.commit();
 }
 
+// Of a file that an older program made.
+void StoreFile::add_meta_checksums() {
+  SQLite::Transaction transaction(*database_);
+  database_->exec("ALTER TABLE meta ADD COLUMN checksum INTEGER NOT NULL DEFAULT 0");
+  std::map<std::string, std::string> texts;
+  SQLite::Statement each(*database_, "SELECT name, value FROM meta");
+  while (each.executeStep()) texts.emplace(each.getColumn(0).getString(), each.getColumn(1).getString());
+  for (const auto& [name, value] : texts) set_meta(name, value);
+  transaction.commit();
+}
+
 std::string StoreFile::meta(const std::string& name) {
-  SQLite::Statement select(*database_, "SELECT value FROM meta WHERE name = ?");
+  SQLite::Statement select(*database_, meta_is_checked_ ? "SELECT value, checksum FROM meta WHERE name = ?"
+                                                        : "SELECT value FROM meta WHERE name = ?");
   select.bindNoCopy(1, name);
-  return select.executeStep() ? select.getColumn(0).getString() : std::string();
+  if (!select.executeStep()) return {};
+  std::string value = select.getColumn(0).getString();
+  if (meta_is_checked_ && select.getColumn(1).getInt64() != checksum_of_meta(name, value)) {
+    throw std::invalid_argument(fmt::format("the checksum of {} does not fit", meaning_of_meta(name)));
+  }
+  return value;
 }
 
 void StoreFile::set_meta(const std::string& name, const std::string& value) {
-  SQLite::Statement put(*database_, "INSERT OR REPLACE INTO meta VALUES(?, ?)");
+  SQLite::Statement put(*database_, "INSERT OR REPLACE INTO meta(name, value, checksum) VALUES(?, ?, ?)");
   put.bindNoCopy(1, name);
   put.bindNoCopy(2, value);
+  put.bind(3, checksum_of_meta(name, value));
   put.exec();
 }
 
-void StoreFile::require() {
-  const auto same = [](const std::unique_ptr<const Identity>& before, const std::optional<Identity>& now) {
-    return before ? now && *now == *before : !now;
+void StoreFile::remember() {
+  const auto now = [](const std::string& name) {
+    const std::optional<Identity> found = identity_of(name);
+    return found ? std::make_unique<const Identity>(*found) : nullptr;
   };
-  if (!same(identity_, identity_of(name_))) throw StoreGone(fmt::format("results in {}: {}", name_, gone));
-  // The log is there from the first row that is written on.
-  const std::string log = name_ + "-wal";
-  const std::optional<Identity> now = identity_of(log);
-  if (log_identity_ && !same(log_identity_, now)) throw StoreGone(fmt::format("results in {}: {}", log, gone));
-  log_identity_ = now ? std::make_unique<const Identity>(*now) : nullptr;
+  identity_ = now(name_);
+  log_identity_ = now(name_ + "-wal");  // is there from the first row that is written on
+}
+
+void StoreFile::require() {
+  const auto check = [](const std::string& name, const std::unique_ptr<const Identity>& before) {
+    if (!before) return;
+    const std::optional<Identity> now = identity_of(name);
+    if (!now || !now->same_file(*before)) throw StoreGone(fmt::format("results in {}: {}", name, gone));
+    if (now->size < before->size) {
+      throw StoreGone(
+          fmt::format("results in {}: {}it had {} bytes and has {}", name, overwritten, before->size, now->size));
+    }
+  };
+  check(name_, identity_);
+  check(name_ + "-wal", log_identity_);
+  if (written_to() && !hold_->begins_as_ours()) {
+    throw StoreGone(fmt::format("results in {}: {}it does not begin as a file of results", name_, overwritten));
+  }
+}
+
+void StoreFile::require_whole() {
+  require();
+  database_->exec("PRAGMA shrink_memory");  // what is in memory may be whole though the file is not
+  std::string said;
+  try {
+    said = database_->execAndGet("PRAGMA quick_check(1)").getString();
+  } catch (const SQLite::Exception& error) {
+    said = reason(error);
+  }
+  if (said != "ok") {
+    throw StoreGone(fmt::format("results in {}: {}{}", name_, overwritten, config::one_line(said)));
+  }
 }
 
 }  // namespace regista::campaign

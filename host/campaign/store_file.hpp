@@ -37,6 +37,7 @@ bool is_store(const std::filesystem::path& file);
 
 class StoreFile {
  public:
+  static constexpr int wait_for_writers = 5000;  // ms, while another program writes
   // tables: what a new file begins with. Throws StoreRefusal and StoreDiskError, as Store does.
   StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
             const std::string& tables, Journal journal);
@@ -51,13 +52,21 @@ class StoreFile {
   // Throws StoreRefusal, or StoreDiskError where the disk is full; then a new file is removed again.
   [[noreturn]] void refuse(const SQLite::Exception& error) const;
 
-  // A text of the table meta; empty when it is not there. Throw SQLite::Exception.
+  // A text of the table meta; empty when it is not there. Throw SQLite::Exception; std::invalid_argument where its
+  // checksum does not fit.
   std::string meta(const std::string& name);
   void set_meta(const std::string& name, const std::string& value);
+  // Whether texts of the table meta carry checksums: files of older programs are without, until they are written to.
+  bool meta_is_checked() const { return meta_is_checked_; }
 
-  // Throws StoreGone when the name does not lead to this file any more. What is written to a file that nobody finds by
-  // its name is lost, and so is a log that was deleted should we die.
+  // Throws StoreGone when the name does not lead to this file any more, or something else wrote into it: it is shorter
+  // than it was, or begins otherwise. What is written to a file that nobody finds by its name is lost, and so is a log
+  // that was deleted should we die.
   void require();
+  // After each write of ours: what require() compares with.
+  void remember();
+  // require(), and reads the whole file: throws StoreGone where it is no sound database any more.
+  void require_whole();
 
  private:
   struct Identity;
@@ -65,6 +74,7 @@ class StoreFile {
   void open();
   void prepare(const std::string& version, const std::string& tables);
   void begin(const std::string& version, const std::string& tables);
+  void add_meta_checksums();
   int pragma(const char* name);
   static std::optional<Identity> identity_of(const std::string& name);
 
@@ -74,6 +84,7 @@ class StoreFile {
   std::unique_ptr<const Hold> hold_;  // until the database is closed
   std::unique_ptr<SQLite::Database> database_;
   std::unique_ptr<const Identity> identity_, log_identity_;
+  bool meta_is_checked_ = false;
 };
 
 // Why something failed, in words.

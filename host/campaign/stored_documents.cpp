@@ -21,7 +21,6 @@ std::int64_t checksum_of(std::string_view path, std::int64_t size, std::string_v
 }  // namespace
 
 void StoredDocuments::keep(std::span<const Document> documents) {
-  SQLite::Transaction transaction(database_);
   database_.exec(tables);
   database_.exec("DELETE FROM documents");
   SQLite::Statement add(database_, "INSERT OR IGNORE INTO documents(path, size, content, checksum) VALUES(?, ?, ?, ?)");
@@ -43,7 +42,6 @@ void StoredDocuments::keep(std::span<const Document> documents) {
     add.exec();
     add.reset();
   }
-  transaction.commit();
 }
 
 std::vector<Document> StoredDocuments::all() {

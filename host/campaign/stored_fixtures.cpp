@@ -19,7 +19,6 @@ std::int64_t checksum_of(const std::string& key, const std::string& job) {
 }  // namespace
 
 void StoredFixtures::add(std::span<const Fixture> fixtures) {
-  SQLite::Transaction transaction(database_);
   SQLite::Statement add(database_, "INSERT OR IGNORE INTO fixtures(key, job, checksum) VALUES(?, ?, ?)");
   for (const Fixture& fixture : fixtures) {
     const std::string job = to_json(fixture.job);
@@ -29,7 +28,6 @@ void StoredFixtures::add(std::span<const Fixture> fixtures) {
     add.exec();
     add.reset();
   }
-  transaction.commit();
 }
 
 void StoredFixtures::check() {

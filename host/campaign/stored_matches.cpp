@@ -93,10 +93,11 @@ std::int64_t checksum_of(std::int64_t row, const MatchKey& key, const Decided& d
 }
 
 // Texts of the table remarks, by their kind.
-std::array<std::pair<const char*, std::string*>, 6> remarks_of(Decided& decided) {
+std::array<std::pair<const char*, std::string*>, 7> remarks_of(Decided& decided) {
   return {{{"set_aside", &decided.why_set_aside},
            {"irreproducible", &decided.irreproducible},
            {"shared", &decided.shared},
+           {"broken", &decided.broken},
            {"kept", &decided.kept},
            {"unproven", &decided.unproven},
            {"output", &decided.output}}};
@@ -313,6 +314,21 @@ std::optional<StoredMatches::Row> StoredMatches::row(std::int64_t row) {
 }
 
 std::int64_t StoredMatches::rows() { return parts_->database.execAndGet("SELECT count(*) FROM matches").getInt64(); }
+
+std::optional<std::int64_t> StoredMatches::first_not_planned(
+    std::int64_t from, std::int64_t to, const std::function<bool(std::int64_t, const MatchKey&)>& planned) {
+  SQLite::Statement each(parts_->database,
+                         "SELECT row, fixture, seed FROM matches WHERE row BETWEEN ? AND ? ORDER BY row");
+  each.bind(1, from);
+  each.bind(2, to);
+  while (each.executeStep()) {
+    const std::int64_t place = each.getColumn(0).getInt64();
+    if (planned(place, key_of(each))) continue;
+    row(place);  // it may be damaged
+    return place;
+  }
+  return std::nullopt;
+}
 
 match::MetricPaths StoredMatches::metric_paths(std::int64_t rows) { return parts_->metrics.paths(rows); }
 

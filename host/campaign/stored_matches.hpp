@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -50,6 +51,9 @@ class StoredMatches {
   };
   std::optional<Row> row(std::int64_t row);
   std::int64_t rows();
+  // The first row from `from` to `to` for which `planned` is false.
+  std::optional<std::int64_t> first_not_planned(
+      std::int64_t from, std::int64_t to, const std::function<bool(std::int64_t row, const MatchKey& key)>& planned);
   // Paths that the first rows have numbers under, each once, in the order in which they come up.
   match::MetricPaths metric_paths(std::int64_t rows);
 

@@ -129,11 +129,7 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   campaign::Store store = open_results(own.results, true, report->study(), {}, invocation.studies);
   StudyWishes wishes;
   wishes.figures = kind.figures;
-  try {
-    return play_study(*report, own, invocation, store, wishes);
-  } catch (const study::StudyError& error) {
-    throw BadInput(fmt::format("{}: {}", name_of(folder), error.what()));
-  }
+  return play_study(*report, own, invocation, store, wishes);
 }
 
 // Waits for the end of a study, with a line of progress.

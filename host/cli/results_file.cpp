@@ -42,6 +42,10 @@ campaign::Journal journal_of(const std::string& file) {
   return cluster::is_in_study_folder(file) ? campaign::Journal::rollback : campaign::Journal::log;
 }
 
+void remark_on(const campaign::Store& store) {
+  if (const std::string remark = store.remark(); !remark.empty()) complain(remark);
+}
+
 template <class Open>
 auto opening(Open open) {
   try {
@@ -94,6 +98,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION,
                           journal_of(file));
+    remark_on(store);
     const std::string stored = store.meta(schedule);
     if (stored.empty()) {  // new, or killed before there was one
       using Json = nlohmann::json;
@@ -125,6 +130,7 @@ campaign::Store read_results(const std::string& file) {
   return opening([&] {
     campaign::Store store(file, campaign::Store::Mode::read, REGISTA_VERSION);
     if (store.meta(schedule).empty()) throw BadInput(fmt::format("{}: holds no study yet", file));
+    remark_on(store);
     return store;
   });
 }

@@ -126,11 +126,7 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
   campaign::Store store = open_results(options.results, true, report->study(), {}, invocation.studies);
   StudyWishes wishes;
   wishes.figures = figures;
-  try {
-    return play_study(*report, options, invocation, store, wishes);
-  } catch (const study::StudyError& error) {
-    throw BadInput(fmt::format("resume: {}: {}", file, error.what()));
-  }
+  return play_study(*report, options, invocation, store, wishes);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <system_error>
@@ -28,6 +29,24 @@ std::string resume_line(const campaign::Options& options, const Invocation& invo
   if (!options.resume) words.push_back("--resume");
   return process::shell_line(words);
 }
+
+constexpr std::chrono::seconds longest_silence{5};
+
+std::string locked_line(const std::string& results, const campaign::Locked& locked) {
+  if (locked.over) return fmt::format("{}: is free again, and all that waited is written", results);
+  return fmt::format("{}: another program keeps it from being written to; what is played waits in memory", results);
+}
+
+// What is done while another program holds the lock, for as long as this lives.
+struct WhileLocked {
+  WhileLocked(campaign::Store& in, std::function<bool(const campaign::Locked&)> go_on) : store(in) {
+    store.when_locked(std::move(go_on));
+  }
+  ~WhileLocked() { store.when_locked({}); }
+  WhileLocked(const WhileLocked&) = delete;
+  WhileLocked& operator=(const WhileLocked&) = delete;
+  campaign::Store& store;
+};
 
 struct Playing {
   const campaign::Options& options;
@@ -98,10 +117,22 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
         fmt::format("interrupted after {} of {} matches; to go on: {}", study.counted(), study.most_matches(), resume),
         interruption.signal_number());
   };
+  bool reported = false;
+  const WhileLocked while_locked(store, [&](const campaign::Locked& locked) {
+    const std::string line = locked_line(options.results, locked);
+    if (locked.over ? reported : !reported && locked.since > longest_silence) progress.print(line);
+    reported = !locked.over && locked.since > longest_silence;
+    return !interruption.requested();
+  });
+  std::uint64_t end = 0;
   try {
-    study.run(study::observed(play, after));
-    store.require_file();
+    study.run(study::where_planned(study::observed(play, after), store, end));
+    study::require_no_row_beyond(store, end);
+    store.require_whole_file();
     progress.clear();
+  } catch (const study::StudyError& error) {
+    progress.clear();
+    throw BadInput(fmt::format("{}: {}", study.what(), error.what()));
   } catch (const campaign::CampaignError& error) {
     progress.clear();
     if (error.kind() == campaign::CampaignError::Kind::input) {

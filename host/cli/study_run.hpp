@@ -21,7 +21,7 @@ struct StudyWishes {
 };
 
 // From the first match to the report and its page: the exit code. options.results names the file that `store` holds.
-// Throws what end_of_program.hpp explains, and study::StudyError; what was stored stays. With Plays::nothing_yet it
+// Throws what end_of_program.hpp explains; what was stored stays. With Plays::nothing_yet it
 // does nothing, with Plays::nothing_more it takes all from the store.
 int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                campaign::Store& store, const StudyWishes& wishes);

@@ -74,11 +74,7 @@ int play(report::StudyReport& report, const TuneOptions& options, const Invocati
     }
     if (at_end) at_end();
   };
-  try {
-    return play_study(report, options, invocation, store, wishes);
-  } catch (const study::StudyError& error) {
-    throw BadInput(std::string("tune: ") + error.what());
-  }
+  return play_study(report, options, invocation, store, wishes);
 }
 
 int tune_team(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,

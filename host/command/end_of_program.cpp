@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <new>
+#include <system_error>
 
 #include "config/node.hpp"
 #include "config/text.hpp"
@@ -47,6 +49,12 @@ int explain_current_exception() {
     complain(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
                          error.code().message()));
     return exit_bad_input;
+  } catch (const std::bad_alloc&) {
+    complain("there is not enough memory");
+    return exit_no;
+  } catch (const std::system_error& error) {  // a limit of the system, such as of open files
+    complain(error.what());
+    return exit_no;
   } catch (const std::exception& error) {
     complain(fmt::format("internal error: {}", error.what()));
     return exit_internal;

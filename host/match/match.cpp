@@ -468,7 +468,7 @@ void OngoingMatch::observe() {
     }
     const GameState& state = referee_.state();
     const RobotSet chasing = metrics_.chasing(state, arena_.ball(), able());
-    observer_.step({time_, state, arena_.states(), fallen, kicking, chasing});
+    observer_.step({time_, state, arena_.states(), fallen, kicking, chasing, crashed_});
   }
   if (observer_.second && tick_ % physics_steps_per_second == 0) observer_.second(time_, referee_.state());
 }

@@ -72,6 +72,7 @@ struct Snapshot {
   std::span<const BodyState> bodies;  // robots by id (home 1..n, away 1..n), then the ball
   RobotSet fallen, kicking;
   RobotSet chasing;  // go for the ball, in Playing: see metrics_ball.hpp
+  RobotSet crashed;  // by a disturbance: decide nothing, and hold no role
 };
 
 struct Decision {

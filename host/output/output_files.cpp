@@ -44,6 +44,17 @@ fs::path where_it_leads(const fs::path& named) {
   return error ? path : out;
 }
 
+// The database that SQLite would take this file for a part of; empty when it is beside none.
+fs::path database_of(const fs::path& file) {
+  const std::string name = file.string();
+  for (const std::string_view each : companions) {
+    if (!name.ends_with(each)) continue;
+    const fs::path database = name.substr(0, name.size() - each.size());
+    if (is_database(database)) return database;
+  }
+  return {};
+}
+
 std::string shown(const fs::path& file) { return config::one_line(file.string()); }
 
 }  // namespace
@@ -122,7 +133,7 @@ void OutputFiles::write(const std::string& who, const fs::path& file, Writes wha
   if (file.empty() || ((what == Writes::page || what == Writes::drawing) && file == "-")) return;
   if (what == Writes::sources) return;  // write_new_folder() touches nothing that is there
   if (what == Writes::figures) {
-    folders_.push_back({who, where_it_leads(file), {".csv", ".gnuplot", ".svg", ".png"}});
+    folders_.push_back({who, Place(file), {".csv", ".gnuplot", ".svg", ".png"}});
     return;
   }
   Output output{who, Place(file), what};
@@ -135,7 +146,7 @@ void OutputFiles::write_beside(const fs::path& results, Page page) {
   for (const std::string_view each : companions) {
     outputs_.push_back({"the log of --results", Place(results.string() + std::string(each)), Writes::results});
   }
-  folders_.push_back({"the recordings of --results", where_it_leads(study::recording_folder(results)), {".mcap"}});
+  folders_.push_back({"the recordings of --results", Place(study::recording_folder(results)), {".mcap"}});
   if (page == Page::none) return;
   // What stands there and is no page of ours is left alone, with a word: that is not this guard's.
   outputs_.push_back({"the page of --results", Place(study::page_file(results)), Writes::results});
@@ -161,10 +172,12 @@ void OutputFiles::check_others(std::size_t output) const {
 void OutputFiles::check_folder(const Folder& folder, const std::vector<Output>& outputs,
                                const std::vector<Read>& reads) {
   const auto written_there = [&](const fs::path& file) {
-    return file.parent_path() == folder.path &&
+    return file.parent_path() == folder.place.path &&
            std::ranges::find(folder.endings, file.extension().string()) != folder.endings.end();
   };
   for (const Output& each : outputs) {
+    if (each.place.same(folder.place))
+      throw config::BadInput(fmt::format("{} and {}: both name {}", each.who, folder.who, shown(folder.place.named)));
     if (!written_there(each.place.path)) continue;
     throw config::BadInput(
         fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
@@ -177,8 +190,8 @@ void OutputFiles::check_folder(const Folder& folder, const std::vector<Output>& 
   }
   // What is written over by its name may be a link to something else.
   std::error_code failed;
-  for (fs::directory_iterator entry(folder.path, failed), end; !failed && entry != end; entry.increment(failed)) {
-    if (!written_there(folder.path / entry->path().filename())) continue;
+  for (fs::directory_iterator entry(folder.place.path, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (!written_there(folder.place.path / entry->path().filename())) continue;
     std::error_code none;
     if (!entry->is_symlink(none) && entry->hard_link_count(none) < 2) continue;
     const Place place(entry->path());
@@ -216,11 +229,21 @@ void OutputFiles::check_existing(const Output& output, bool force) {
 void OutputFiles::check(bool force) const {
   if (outputs_.empty() && folders_.empty()) return;
   const std::vector<Read> reads = all_reads();
+  const auto check_beside = [](const std::string& who, const Place& place) {
+    const fs::path database = database_of(place.path);
+    if (database.empty()) return;
+    throw config::BadInput(
+        fmt::format("{} {}: SQLite would take it for a part of {}", who, shown(place.named), shown(database)));
+  };
   for (std::size_t i = 0; i < outputs_.size(); ++i) {
     check_reads(outputs_[i], reads);
     check_others(i);
+    if (outputs_[i].what != Writes::results) check_beside(outputs_[i].who, outputs_[i].place);
   }
-  for (const Folder& each : folders_) check_folder(each, outputs_, reads);
+  for (const Folder& each : folders_) {
+    check_beside(each.who, each.place);
+    check_folder(each, outputs_, reads);
+  }
   for (const Output& each : outputs_) {
     if (each.what != Writes::results) check_existing(each, force);  // those: campaign::Store
   }

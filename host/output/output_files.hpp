@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The guard of everything that is written to files. A command's outputs are never written over what it reads, over its
-// results or what SQLite keeps beside them, or over one another, by whatever path or link they are named; over files of
-// another kind not at all, or only when --force is given. Paths are taken as they are when they are named here: before
-// a command goes to another folder.
+// results, over what SQLite keeps beside a database, or over one another, by whatever path or link they are named; over
+// files of another kind not at all, or only when --force is given. Paths are taken as they are when they are named
+// here: before a command goes to another folder.
 #pragma once
 
 #include <cstdint>
@@ -62,7 +62,7 @@ class OutputFiles {
   // A folder into which files of these endings are written, by names that follow from the work.
   struct Folder {
     std::string who;
-    std::filesystem::path path;
+    Place place;
     std::vector<std::string_view> endings;
   };
 

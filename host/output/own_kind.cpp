@@ -69,6 +69,12 @@ OwnKind own_kind(Writes what) {
   return {};
 }
 
+bool is_database(const std::filesystem::path& file) {
+  std::array<char, database.size()> begin{};
+  std::ifstream in(file, std::ios::binary);
+  return in.read(begin.data(), begin.size()) && Begins(begin.data(), begin.size()) == database;
+}
+
 Found found_in(const std::filesystem::path& file, const OwnKind& kind) {
   std::error_code none;
   if (std::filesystem::file_size(file, none) == 0) return Found::nothing;

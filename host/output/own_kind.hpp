@@ -32,6 +32,8 @@ enum class Found {
   database,  // of SQLite: results are, whatever they are called
   other,
 };
+// Whether the file is a database of SQLite.
+bool is_database(const std::filesystem::path& file);
 Found found_in(const std::filesystem::path& file, const OwnKind& kind);
 
 }  // namespace regista::output

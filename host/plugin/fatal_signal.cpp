@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/fatal_signal.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
+#include <link.h>
 #include <sys/prctl.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <ucontext.h>
 #include <unistd.h>
+#include <unwind.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 
 #include "config/sanitized.hpp"
@@ -40,40 +46,97 @@ Registers registers_of(const void* raw) {
 #endif
 }
 
-// The code that ran, or else the nearest that may have called it: abort() dies in the C library. What looks like a
-// return address on the stack mostly is one. The kernel reads, for the stack may end anywhere.
-const ObjectName* guilty_object(const Registers& at) {
-  if (const ObjectName* const name = object_at(at.instruction)) return name;
+// Functions of the C library that look after the heap, as far as they have names: [first, last).
+struct Function {
+  std::uintptr_t first = 0, last = 0;
+  bool holds(std::uintptr_t address) const { return first <= address && address < last; }
+};
+std::array<Function, 6> heap_functions;
+
+void find_heap_functions() {
+  const std::array<void*, heap_functions.size()> known{
+      reinterpret_cast<void*>(&std::malloc),   reinterpret_cast<void*>(&std::free),
+      reinterpret_cast<void*>(&std::calloc),   reinterpret_cast<void*>(&std::realloc),
+      reinterpret_cast<void*>(&aligned_alloc), reinterpret_cast<void*>(&posix_memalign)};
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    Dl_info about{};
+    void* raw = nullptr;
+    if (dladdr1(known[i], &about, &raw, RTLD_DL_SYMENT) == 0 || raw == nullptr) continue;
+    const auto first = reinterpret_cast<std::uintptr_t>(about.dli_saddr);
+    heap_functions[i] = {first, first + static_cast<const ElfW(Sym)*>(raw)->st_size};
+  }
+}
+
+bool of_heap(std::uintptr_t address) {
+  return std::ranges::any_of(heap_functions, [address](const Function& each) { return each.holds(address); });
+}
+
+// The nearest caller in a noted object, and whether the heap was at work on the way to it.
+_Unwind_Reason_Code look_at_frame(_Unwind_Context* frame, void* raw) {
+  FatalNote& note = *static_cast<FatalNote*>(raw);
+  const std::uintptr_t at = _Unwind_GetIP(frame);
+  if (const ObjectName* const name = object_at(at)) {
+    note.object = *name;
+    return _URC_END_OF_STACK;
+  }
+  if (of_heap(at)) note.heap = 1;
+  return _URC_NO_REASON;
+}
+
+// Where the stack cannot be followed, what looks like a return address mostly is one. The kernel reads, for the stack
+// may end anywhere.
+void look_through_stack(std::uintptr_t stack, FatalNote& note) {
   static std::uintptr_t words[words_of_stack];
   std::size_t read = sizeof words;
   for (; read >= 4096; read /= 2) {
-    iovec here{words, read}, there{reinterpret_cast<void*>(at.stack), read};
+    iovec here{words, read}, there{reinterpret_cast<void*>(stack), read};
     if (process_vm_readv(getpid(), &here, 1, &there, 1, 0) == static_cast<ssize_t>(read)) break;
   }
-  if (read < 4096) return nullptr;
+  if (read < 4096) return;
   for (std::size_t i = 0; i < read / sizeof words[0]; ++i) {
-    if (const ObjectName* const name = object_at(words[i])) return name;
+    if (const ObjectName* const name = object_at(words[i])) {
+      note.object = *name;
+      return;
+    }
   }
-  return nullptr;
+}
+
+// The code that ran, or else the nearest that called it: abort() dies in the C library.
+void note_place(const Registers& at, FatalNote& note) {
+  note.other_thread = syscall(SYS_gettid) == getpid() ? 0 : 1;
+  prctl(PR_GET_NAME, note.thread.data());
+  note.thread.back() = '\0';
+  if (const ObjectName* const name = object_at(at.instruction)) {
+    note.object = *name;
+    return;
+  }
+  _Unwind_Backtrace(look_at_frame, &note);
+  if (note.object.front() == '\0' && at.stack != 0) look_through_stack(at.stack, note);
 }
 
 void strike(int signal_number, siginfo_t*, void* context) {
   if (FatalNote* const note = target.load(); note != nullptr && !noted.test_and_set()) {
-    note->other_thread = syscall(SYS_gettid) == getpid() ? 0 : 1;
-    prctl(PR_GET_NAME, note->thread.data());
-    note->thread.back() = '\0';
-    if (const ObjectName* const name = guilty_object(registers_of(context))) note->object = *name;
+    note_place(registers_of(context), *note);
     note->signal = signal_number;
   }
   std::signal(signal_number, SIG_DFL);
   raise(signal_number);  // delivered when this handler returns
 }
 
+void leave() {
+  FatalNote* const note = target.load();
+  if (note == nullptr || noted.test_and_set()) return;
+  note_place({}, *note);
+  note->exited = 1;
+}
+
 }  // namespace
 
 void note_fatal_signals(FatalNote& note) {
+  if (target.exchange(&note) == nullptr) std::atexit(leave);
   if constexpr (sanitized) return;
-  target.store(&note);
+  find_heap_functions();
+  _Unwind_Backtrace([](_Unwind_Context*, void*) { return _URC_END_OF_STACK; }, nullptr);  // what it loads at first
   // A stack of its own, for the one that has overflowed.
   static char room[64 * 1024];
   stack_t own{};
@@ -87,8 +150,16 @@ void note_fatal_signals(FatalNote& note) {
   for (const int each : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigaction(each, &action, nullptr);
 }
 
+bool ended_in(const FatalNote& note, std::string_view file) {
+  if constexpr (sanitized) return note.other_thread == 0;
+  const bool known = note.signal != 0 || note.exited != 0;
+  const std::string_view object(note.object.data());
+  return known && note.other_thread == 0 && note.heap == 0 && !object.empty() &&
+         object == file.substr(0, note.object.size() - 1);
+}
+
 std::string where(const FatalNote& note) {
-  if (note.signal == 0) return {};
+  if (note.signal == 0 && note.exited == 0) return {};
   std::string out;
   if (note.other_thread != 0) out += fmt::format(", in thread \"{}\"", note.thread.data());
   if (note.object.front() != '\0') out += fmt::format(", in {}", note.object.data());

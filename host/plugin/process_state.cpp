@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/time.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
+#include <clocale>
 #include <csignal>
 #include <cstring>
 #include <filesystem>
@@ -61,10 +65,50 @@ int running_timers() {
   return out;
 }
 
-std::vector<int> without(const std::vector<int>& all, const std::vector<int>& those) {
-  std::vector<int> out;
+template <class T>
+std::vector<T> without(const std::vector<T>& all, const std::vector<T>& those) {
+  std::vector<T> out;
   std::ranges::set_difference(all, those, std::back_inserter(out));
   return out;
+}
+
+std::vector<int> blocked_signals() {
+  sigset_t set;
+  ::pthread_sigmask(SIG_BLOCK, nullptr, &set);
+  std::vector<int> out;
+  for (int number = 1; number < NSIG; ++number) {
+    if (::sigismember(&set, number) == 1) out.push_back(number);
+  }
+  return out;
+}
+
+std::vector<std::string> variables() {
+  std::vector<std::string> out;
+  for (char** each = environ; each != nullptr && *each != nullptr; ++each) out.emplace_back(*each);
+  std::ranges::sort(out);
+  return out;
+}
+
+// Names of variables whose values differ, or that are there only once.
+std::vector<std::string> changed_variables(const ProcessState& before, const ProcessState& after) {
+  std::vector<std::string> out = without(before.environment, after.environment);
+  const std::vector<std::string> fresh = without(after.environment, before.environment);
+  out.insert(out.end(), fresh.begin(), fresh.end());
+  for (std::string& each : out) each.resize(std::min(each.find('='), each.size()));
+  std::ranges::sort(out);
+  out.erase(std::ranges::unique(out).begin(), out.end());
+  return out;
+}
+
+unsigned present_file_mode() {
+  const mode_t mode = ::umask(0);
+  ::umask(mode);
+  return mode;
+}
+
+bool has_children_now() {
+  siginfo_t none{};
+  return ::waitid(P_ALL, 0, &none, WEXITED | WNOHANG | WNOWAIT) == 0;
 }
 
 std::string signal_name(int number) {
@@ -91,8 +135,15 @@ ProcessState ProcessState::now() {
                                                              : reinterpret_cast<std::uintptr_t>(action.sa_handler);
     out.handlers[static_cast<std::size_t>(number)] = handler;
   }
+  out.locale = std::setlocale(LC_ALL, nullptr);
+  out.blocked = blocked_signals();
+  out.environment = variables();
+  out.file_mode = present_file_mode();
+  out.has_children = has_children_now();
   return out;
 }
+
+void keep_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 
 std::string changes(const ProcessState& before, const ProcessState& after) {
   std::vector<std::string> out;
@@ -100,6 +151,7 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
     out.push_back(
         fmt::format("left {} running", config::counted(static_cast<std::uint64_t>(more), "thread", "threads")));
   }
+  if (after.has_children && !before.has_children) out.push_back("left a process running");
   if (after.timers > before.timers) out.push_back("left a timer running");
   if (before.most_descriptors != after.most_descriptors) {
     out.push_back("changed the limit of open files");
@@ -111,6 +163,14 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
                                    : fmt::format("left {} file descriptors open", open.size()));
   }
   if (before.folder != after.folder) out.push_back("changed the working folder");
+  if (before.locale != after.locale) out.push_back("changed the locale");
+  if (const auto changed = changed_variables(before, after); !changed.empty()) {
+    out.push_back(changed.size() == 1
+                      ? fmt::format("changed the environment variable {}", config::in_quotes(changed.front()))
+                      : fmt::format("changed {} variables of the environment", changed.size()));
+  }
+  if (before.file_mode != after.file_mode) out.push_back("changed the mode of new files (umask)");
+  if (before.blocked != after.blocked) out.push_back("changed which signals are blocked");
   for (std::size_t number = 1; number < before.handlers.size(); ++number) {
     if (before.handlers[number] == after.handlers[number]) continue;
     const ObjectName* const object = object_at(after.handlers[number]);

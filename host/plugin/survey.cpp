@@ -142,6 +142,7 @@ class Looker {
   std::string why_not() {
     const process::ProcessEnd end = ended();
     hung_ = late_ || end.out_of_processor_time();
+    killed_ = !late_ && end.from_outside();
     if (idle_) return fmt::format("slept for {:.0f} s when it was opened", most_idle_seconds);
     if (late_) return fmt::format("could not be opened within {:.0f} s", most_seconds);
     if (end.out_of_processor_time())
@@ -149,7 +150,8 @@ class Looker {
     if (end.signal_number()) return "died when it was opened: " + end.in_words();
     return fmt::format("ended the process when it was opened (exit code {})", WEXITSTATUS(end.status));
   }
-  bool hung() const { return hung_; }  // that was why: it took too long
+  bool hung() const { return hung_; }      // that was why: it took too long
+  bool killed() const { return killed_; }  // that was why: somebody else ended it, as a machine without memory does
 
  private:
   // It may have closed the pipe and live on: then its exit is not asked for.
@@ -167,7 +169,7 @@ class Looker {
   process::Child child_;
   process::FileDescriptor pipe_;
   std::string said_;  // of it, what has not been taken yet
-  bool late_ = false, idle_ = false, hung_ = false;
+  bool late_ = false, idle_ = false, hung_ = false, killed_ = false;
 };
 
 Surveyed refused(const std::string& why) { return {{}, config::one_line(why), {}}; }
@@ -176,6 +178,7 @@ enum class Looked {
   at_all,     // nothing went wrong
   until_one,  // out[...] of the file that was being opened says why; an earlier one may have damaged the process
   until_one_that_hung,  // the same, and it is that file's own doing: the earlier ones were found sound
+  until_killed,         // the same, but it is nobody's doing
 };
 
 // Looks at files[first ... last).
@@ -205,6 +208,7 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
   const bool sound_so_far = std::all_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(next),
                                         [](const Surveyed& each) { return each.refusal.empty(); });
   out[next] = refused(child.why_not());
+  if (child.killed()) return Looked::until_killed;
   return child.hung() && sound_so_far ? Looked::until_one_that_hung : Looked::until_one;
 }
 
@@ -219,7 +223,7 @@ void look_at_each(std::span<const fs::path> files, std::vector<Surveyed>& out) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (out.begin() + static_cast<std::ptrdiff_t>(i) == hung) continue;
     std::vector<Surveyed> one(1);
-    look_at(files.subspan(i, 1), 0, one);
+    if (look_at(files.subspan(i, 1), 0, one) == Looked::until_killed) look_at(files.subspan(i, 1), 0, one);
     out[i] = std::move(one.front());
   }
 }

@@ -418,9 +418,11 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
   parts.half = state.half;
   const bool began = state.phase == mind::Phase::playing && parts.phase != mind::Phase::playing;
   parts.phase = state.phase;
-  // From now on it counts who shares a role.
-  for (std::vector<Parts::Last>& side : parts.last) {
-    for (Parts::Last& robot : side) robot.shares |= began;
+  for (int id = 0; std::vector<Parts::Last> & side : parts.last) {
+    for (Parts::Last& robot : side) {
+      robot.shares |= began;  // from now on it counts who shares a role
+      if (snapshot.crashed >> id++ & 1u) robot.role = -1;
+    }
   }
   if (++parts.steps % game_steps != 0) return;
   JsonText& json = parts.json;

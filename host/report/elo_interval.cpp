@@ -15,7 +15,7 @@ bool enough_for_interval(const statistics::PairCounts& pairs) { return uneven(pa
 
 IntervalUse interval_use(const TournamentView& view, std::size_t pairing) {
   const study::Meeting& meeting = view.course.meetings()[pairing];
-  const std::optional<Strength> known = strength(meeting);
+  const std::optional<Strength> known = strength(view.course, meeting);
   assert(known);
   const study::Verdict verdict = view.course.verdict();
   if (verdict == study::Verdict::accept_h0 || verdict == study::Verdict::accept_h1) return IntervalUse::biased;

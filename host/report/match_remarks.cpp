@@ -43,8 +43,9 @@ struct Doubt {
   const study::RemarkList& list;
   const char *words, *key;
 };
-std::array<Doubt, 3> doubts_of(const study::MatchRemarks& remarks) {
+std::array<Doubt, 4> doubts_of(const study::MatchRemarks& remarks) {
   return {{{remarks.shared(), "robots do not decide alone", "not_alone"},
+           {remarks.broken(), "a plugin breaks a promise", "broken_promises"},
            {remarks.irreproducible(), "not reproducible", "not_reproducible"},
            {remarks.unproven(), "not proven that robots decide alone", "not_proven"}}};
 }

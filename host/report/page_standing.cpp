@@ -95,7 +95,7 @@ void add_test(HtmlTable& table, const Meeting& meeting, const PageSource& source
 
 Html pairing_table(const PageSource& source) {
   const Meeting& meeting = source.view.course.meetings().front();
-  const std::optional<Strength> known = strength(meeting);
+  const std::optional<Strength> known = strength(source.view.course, meeting);
   if (!known) return {};
   HtmlTable table({{"Number"_html, Column::words}, {"Value"_html}, {"What it says"_html, Column::words}});
   table.row({"Elo"_html, text(signed_text(known->elo, 1)),
@@ -170,7 +170,7 @@ Html pairings_table(const PageSource& source) {
   for (std::size_t i = 0; i < std::min(p.size(), most_listed); ++i) {
     const Meeting& meeting = source.view.course.meetings()[i];
     const auto& [losses, draws, wins] = meeting.games.seen;
-    const std::optional<Strength> known = strength(meeting);
+    const std::optional<Strength> known = strength(source.view.course, meeting);
     Html who = team_name(source, meeting.pairing.first);
     std::vector<Html> cells{who << " – "_html << team_name(source, meeting.pairing.second),
                             text(fmt::format("{} – {} – {}", wins, draws, losses)),
@@ -191,6 +191,8 @@ Html pairings_table(const PageSource& source) {
 }  // namespace
 
 Html standing_section(const PageSource& source) {
+  const study::Tournament& course = source.view.course;
+  if (source.view.plan.teams.size() == 2 && is_prevented(course, course.meetings().front())) return {};
   Html out = teams_table(source);
   if (source.view.plan.teams.size() == 2) {
     out << pairing_table(source);
@@ -202,6 +204,8 @@ Html standing_section(const PageSource& source) {
 }
 
 Html curves_section(const PageSource& source) {
+  const study::Tournament& course = source.view.course;
+  if (source.view.plan.teams.size() == 2 && is_prevented(course, course.meetings().front())) return {};
   const Html elo = figure(source, "elo"), llr = figure(source, "llr"), value = figure(source, "value");
   if (elo.empty() && llr.empty() && value.empty()) return {};
   Html out;
@@ -221,7 +225,7 @@ Html variance_section(const PageSource& source) {
   const auto ratio = [](const std::optional<double>& value) { return text(value ? fixed(*value, 2) : "–"); };
   std::size_t listed = 0;
   for (const Meeting& meeting : source.view.course.meetings()) {
-    const std::optional<Strength> known = strength(meeting);
+    const std::optional<Strength> known = strength(source.view.course, meeting);
     if (!known || ++listed > most_listed) continue;
     Html who = team_name(source, meeting.pairing.first);
     table.row({who << " – "_html << team_name(source, meeting.pairing.second), ratio(known->score_ratio),

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "statistics/bradley_terry.hpp"
 #include "statistics/multiplicity.hpp"
@@ -16,8 +17,14 @@ double points(const statistics::GameCounts& games) {
   return static_cast<double>(games.seen[2]) + 0.5 * static_cast<double>(games.seen[1]);
 }
 
-std::optional<Strength> strength(const study::Meeting& meeting) {
-  if (total(meeting.pairs) == 0) return std::nullopt;
+bool is_prevented(const study::Tournament& course, const study::Meeting& meeting) {
+  if (meeting.unplayed_pairs == 0) return false;
+  if (course.verdict() != study::Verdict::none) return course.verdict() == study::Verdict::prevented;
+  return p_values(course).prevented[static_cast<std::size_t>(&meeting - course.meetings().data())];
+}
+
+std::optional<Strength> strength(const study::Tournament& course, const study::Meeting& meeting) {
+  if (total(meeting.pairs) == 0 || is_prevented(course, meeting)) return std::nullopt;
   Strength out{};
   out.law = score_law(meeting.pairs);
   out.elo = elo(out.law);
@@ -166,6 +173,10 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
     if (x.elo && y.elo && x.elo->value != y.elo->value) return x.elo->value > y.elo->value;
     return share(x) > share(y);
   });
+  if (!leads_either_way(plan, course, out.front().team)) {
+    for (Ranked& team : out) team.elo.reset();
+    std::ranges::stable_sort(out, std::greater(), share);
+  }
   return out;
 }
 

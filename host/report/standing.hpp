@@ -17,7 +17,7 @@
 
 namespace regista::report {
 
-// Of one pairing with at least one complete pair.
+// Of one pairing with at least one complete pair, unless its pairs that could not be played prevent a verdict.
 struct Strength {
   statistics::ScoreLaw law;
   statistics::Estimate elo, normalized_elo;
@@ -27,11 +27,13 @@ struct Strength {
   std::optional<double> score_ratio, goals_ratio;  // variance ratio of pairing
   std::optional<statistics::PairedT> goals_t;      // goal difference of a match; for a fixed number of pairs
 };
-std::optional<Strength> strength(const study::Meeting& meeting);
+std::optional<Strength> strength(const study::Tournament& course, const study::Meeting& meeting);
+// Whether that is so: some way to count those pairs makes a finding, but not all do.
+bool is_prevented(const study::Tournament& course, const study::Meeting& meeting);
 
 struct Ranked {
   std::size_t team = 0;
-  std::optional<statistics::Estimate> elo;  // Bradley-Terry; nothing where the results do not determine it
+  std::optional<statistics::Estimate> elo;  // Bradley-Terry; nothing where the results do not determine it, or who leads
   double nash = 0.0;                        // share in the equilibrium
   double points = 0.0;
   std::uint64_t matches = 0, wins = 0, draws = 0, losses = 0, scored = 0, conceded = 0, failures = 0;

@@ -58,7 +58,7 @@ Json meeting_json(const TournamentView& view, const study::Meeting& meeting, con
   out["pentanomial"] = meeting.pairs.seen;
   out["unplayed_pairs"] = meeting.unplayed_pairs;
   out["goals"] = meeting.goals;
-  if (const std::optional<Strength> known = strength(meeting)) {
+  if (const std::optional<Strength> known = strength(view.course, meeting)) {
     out["elo"] = known->elo.value;
     out["elo_interval"] = interval(known->elo.interval);
     out["nelo"] = known->normalized_elo.value;

@@ -42,7 +42,7 @@ Html tiles(const PageSource& source) {
   const TournamentView& view = source.view;
   const study::Meeting& meeting = view.course.meetings().front();
   Html out = "<div class=\"tiles\">\n"_html;
-  const std::optional<Strength> known = strength(meeting);
+  const std::optional<Strength> known = strength(view.course, meeting);
   if (view.plan.teams.size() == 2 && known) {
     const auto& [losses, draws, wins] = meeting.games.seen;
     const double share = points(meeting.games) / static_cast<double>(meeting.matches());

@@ -64,7 +64,7 @@ bool fixed_number_is_played(const TournamentView& view) {
 // Fastchess's block, and goals.
 std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
   std::string out;
-  const std::optional<Strength> known = strength(meeting);
+  const std::optional<Strength> known = strength(view.course, meeting);
   if (known) {
     out += fmt::format("Elo: {}, nElo: {}\n", with_margin(known->elo), with_margin(known->normalized_elo));
     out += fmt::format("LOS: {:.2f} %, DrawRatio: {:.2f} %, PairsRatio: {}\n", 100.0 * known->superiority,
@@ -124,7 +124,7 @@ std::string pairings_text(const TournamentView& view) {
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     const Meeting& meeting = view.course.meetings()[i];
     const auto& [losses, draws, wins] = meeting.games.seen;
-    const std::optional<Strength> known = strength(meeting);
+    const std::optional<Strength> known = strength(view.course, meeting);
     out += fmt::format("{} vs {}: {}-{}-{}, goals {}:{}, Elo {}", view.label(meeting.pairing.first),
                        view.label(meeting.pairing.second), wins, draws, losses, meeting.goals[0], meeting.goals[1],
                        known ? with_margin(known->elo) : "-");
@@ -259,6 +259,7 @@ std::string title(const TournamentView& view) {
 }
 
 std::string standing_text(const TournamentView& view) {
+  if (view.plan.teams.size() == 2 && is_prevented(view.course, view.course.meetings().front())) return {};
   return view.plan.teams.size() == 2 ? meeting_text(view, view.course.meetings().front()) : ranking_text(view);
 }
 

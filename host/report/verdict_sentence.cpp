@@ -53,7 +53,7 @@ std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
   const auto in_words = [](double elo) {
     return fmt::format("{:.0f} Elo {}", std::abs(elo), elo < 0.0 ? "weaker" : "stronger");
   };
-  const statistics::Interval interval = strength(meeting)->elo.interval;
+  const statistics::Interval interval = strength(view.course, meeting)->elo.interval;
   Html out = "With 95 % confidence "_html;
   return out << team(view, meeting.pairing.first)
              << text(fmt::format(" is between {} and {}.", in_words(interval.low), in_words(interval.high)));
@@ -83,13 +83,17 @@ Html by_value(const TournamentView& view, const Meeting& meeting, const std::str
              << team(view, meeting.pairing.second) << "."_html;
 }
 
-Html prevented(const TournamentView& view) { return text(prevented_headline(view.course.unplayed_pairs()) + "."); }
+// Numbers beside it would be read as one.
+void no_verdict(const TournamentView& view, VerdictSentence& out) {
+  out.sentence = text(prevented_headline(view.course.unplayed_pairs()) + ".");
+  out.beside.clear();
+}
 
 void of_sequential_test(const TournamentView& view, const Meeting& meeting, VerdictSentence& out) {
   const study::Verdict verdict = view.course.verdict();
   const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
   if (verdict == study::Verdict::prevented) {
-    out.sentence = prevented(view);
+    no_verdict(view, out);
     return;
   }
   std::string few = score != nullptr ? what_the_test_rests_on(score_law(meeting.pairs)) : "";
@@ -146,7 +150,7 @@ void of_two(const TournamentView& view, VerdictSentence& out) {
   }
   const PValues values = p_values(view.course);
   if (values.prevented.front()) {
-    out.sentence = prevented(view);
+    no_verdict(view, out);
     return;
   }
   const double p = values.adjusted.front();
@@ -174,16 +178,17 @@ int stronger(const TournamentView& view, const PValues& p, std::size_t pairing) 
 
 void of_gauntlet(const TournamentView& view, const PValues& p, VerdictSentence& out) {
   std::array<std::uint64_t, 3> counts{};
-  const auto no_verdict = std::ranges::count(p.prevented, true);
+  const auto without_verdict = std::ranges::count(p.prevented, true);
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     ++counts[static_cast<std::size_t>(stronger(view, p, i) + 1)];
   }
   out.sentence = team(view, 0);
   out.sentence << text(fmt::format(" against {} others: stronger than {}, weaker than {}, open for {}.",
                                    p.adjusted.size(), counts[2], counts[0], counts[1]));
-  if (view.course.complete() && no_verdict > 0) {
-    out.beside.push_back(text(fmt::format(
-        "{} of the open ones depend on pairs that could not be played, so there is no verdict on them.", no_verdict)));
+  if (view.course.complete() && without_verdict > 0) {
+    out.beside.push_back(text(
+        fmt::format("{} of the open ones depend on pairs that could not be played, so there is no verdict on them.",
+                    without_verdict)));
   }
 }
 
@@ -200,7 +205,7 @@ void of_round_robin(const TournamentView& view, const PValues& p, VerdictSentenc
     return;
   }
   if (!leads_either_way(view.plan, view.course, best)) {
-    out.sentence = prevented(view);
+    no_verdict(view, out);
     out.beside.push_back(text("Which team leads depends on which team these pairs are counted for."));
     return;
   }

@@ -36,6 +36,7 @@ Experiment::Experiment(const ExperimentPlan& plan)
       played_(plan.conditions.size(), 0),
       packets_(plan.conditions.size()),
       unplayed_(plan.conditions.size()),
+      set_aside_(plan.conditions.size(), 0),
       forfeits_(plan.conditions.size() + 1) {}
 
 void Experiment::run(const PlayRound& play) {
@@ -65,6 +66,8 @@ void Experiment::take(const campaign::Decided& decided) {
   remarks_.take(next_, decided);
   if (decided.set_aside()) {
     // There is nothing to be counted.
+    require_playable(++set_aside_[trial.condition], plan_.limits,
+                     plan_.arms[plan_.conditions[trial.condition].arm].name, decided.why_set_aside);
   } else if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
     forfeits_.add(own ? trial.condition : plan_.conditions.size(), *decided.failure, next_);

@@ -79,6 +79,7 @@ class Experiment final : public Study {
   std::optional<MatchMeasures> at_home_;  // of the pair under way
   bool at_home_unplayed_ = false;
   std::vector<std::vector<bool>> unplayed_;  // by condition, then pair
+  std::vector<std::uint64_t> set_aside_;     // matches, by condition
   ForfeitList forfeits_;
   MatchRemarks remarks_;
   std::uint64_t next_ = 0;

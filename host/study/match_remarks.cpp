@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "study/match_remarks.hpp"
 
+#include <fmt/format.h>
+
+#include "study/study.hpp"
+
 namespace regista::study {
 
 void RemarkList::add(std::uint64_t match, const std::string& text) {
@@ -8,10 +12,18 @@ void RemarkList::add(std::uint64_t match, const std::string& text) {
   if (listed_.size() < most_listed) listed_.push_back({match, text});
 }
 
+void require_playable(std::uint64_t set_aside, const campaign::Limits& limits, const std::string& who,
+                      const std::string& why) {
+  if (set_aside < limits.most_set_aside) return;
+  throw StudyError(
+      fmt::format("{}: {} matches could not be played, and no team can be blamed: {}", who, set_aside, why));
+}
+
 void MatchRemarks::take(std::uint64_t match, const campaign::Decided& decided) {
   if (decided.set_aside()) unplayed_.add(match, decided.why_set_aside);
   if (!decided.irreproducible.empty()) irreproducible_.add(match, decided.irreproducible);
   if (!decided.shared.empty()) shared_.add(match, decided.shared);
+  if (!decided.broken.empty()) broken_.add(match, decided.broken);
   if (!decided.kept.empty() && decided.shared.empty() && decided.irreproducible.empty()) kept_.add(match, decided.kept);
   if (!decided.unproven.empty()) unproven_.add(match, decided.unproven);
   if (decided.output.empty()) return;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "campaign/limits.hpp"
 
 namespace regista::study {
 
@@ -35,6 +36,11 @@ class RemarkList {
   std::uint64_t count_ = 0;
 };
 
+// Ends a study that cannot find anything, by the limit on matches of one pairing that were set aside. who: "a against
+// b"; why: of the last of them. Throws StudyError.
+void require_playable(std::uint64_t set_aside, const campaign::Limits& limits, const std::string& who,
+                      const std::string& why);
+
 class MatchRemarks {
  public:
   static constexpr std::size_t most_written = 20;  // matches that are named
@@ -45,6 +51,7 @@ class MatchRemarks {
   const RemarkList& unplayed() const { return unplayed_; }              // and why
   const RemarkList& irreproducible() const { return irreproducible_; }  // and where two plays first differed
   const RemarkList& shared() const { return shared_; }      // whose plugin used what its robot alone does not know
+  const RemarkList& broken() const { return broken_; }      // which promise a plugin breaks where it is looked at closely
   const RemarkList& kept() const { return kept_; }          // what plugins keep outside, though nothing came of it
   const RemarkList& unproven() const { return unproven_; }  // why it is not known that robots decide alone
   // Matches in which plugins wrote to standard error: the first ones, and how many there are.
@@ -52,7 +59,7 @@ class MatchRemarks {
   std::uint64_t written_count() const { return written_count_; }
 
  private:
-  RemarkList unplayed_, irreproducible_, shared_, kept_, unproven_;
+  RemarkList unplayed_, irreproducible_, shared_, broken_, kept_, unproven_;
   std::vector<std::uint64_t> written_;
   std::uint64_t written_count_ = 0;
 };

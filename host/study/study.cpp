@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "study/study.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -39,10 +41,54 @@ PlayRound observed(PlayRound play, AfterMatch after) {
   };
 }
 
-bool answer_from(const campaign::Store& store, const Round& round, campaign::Metrics metrics) {
+namespace {
+
+std::vector<std::int64_t> numbers_of(const Round& round, const campaign::Store& store) {
   std::vector<std::string> keys;
   for (const campaign::Store::Fixture& each : round.fixtures) keys.push_back(each.key);
-  const std::vector<std::int64_t> numbers = store.numbers(keys);
+  return store.numbers(keys);
+}
+
+void require_planned(const campaign::Store& store, const Round& round) {
+  const std::vector<std::int64_t> numbers = numbers_of(round, store);
+  const auto key_at = [&](std::uint64_t index) -> std::optional<campaign::MatchKey> {
+    const auto place = round.at(index);
+    if (!place) return std::nullopt;
+    return campaign::MatchKey{numbers[place->fixture], place->seed};
+  };
+  // Mostly it is at its place; a study that got more pairs asks for it at another one.
+  std::vector<campaign::MatchKey> all;
+  const auto planned = [&](std::int64_t row, const campaign::MatchKey& key) {
+    const auto here = key_at(static_cast<std::uint64_t>(row) - 1 - round.first_row);
+    if (!here || *here == key) return true;
+    for (std::uint64_t index = 0; all.empty() && index < round.matches; ++index) {
+      if (const auto each = key_at(index)) all.push_back(*each);
+    }
+    return std::ranges::find(all, key) != all.end();
+  };
+  const auto from = static_cast<std::int64_t>(round.first_row);
+  store.require_planned(from + 1, from + static_cast<std::int64_t>(round.matches), planned);
+}
+
+}  // namespace
+
+PlayRound where_planned(PlayRound play, const campaign::Store& store, std::uint64_t& end) {
+  return [play = std::move(play), &store, &end](const Round& round) {
+    require_planned(store, round);
+    end = std::max(end, round.first_row + round.matches);
+    play(round);
+  };
+}
+
+void require_no_row_beyond(const campaign::Store& store, std::uint64_t end) {
+  constexpr auto lowest = std::numeric_limits<std::int64_t>::min(), highest = std::numeric_limits<std::int64_t>::max();
+  const auto never = [](std::int64_t, const campaign::MatchKey&) { return false; };
+  store.require_planned(lowest, 0, never);
+  store.require_planned(static_cast<std::int64_t>(end) + 1, highest, never);
+}
+
+bool answer_from(const campaign::Store& store, const Round& round, campaign::Metrics metrics) {
+  const std::vector<std::int64_t> numbers = numbers_of(round, store);
   for (std::uint64_t index = 0; index < round.matches; ++index) {
     std::optional<campaign::Decided> decided;
     if (const auto place = round.at(index)) {
@@ -59,13 +105,15 @@ void read_back(Study& study, const campaign::Store& store, campaign::Metrics met
   const PlayRound read = [&](const Round& round) {
     if (!answer_from(store, round, metrics)) throw NotPlayed();
   };
+  std::uint64_t end = 0;
   try {
-    study.run(observed(read, after));
+    study.run(where_planned(observed(read, after), store, end));
   } catch (const NotPlayed&) {
     // It holds what there is.
   } catch (const StudyError&) {
     // As when it was played: nothing more came of it.
   }
+  require_no_row_beyond(store, end);
 }
 
 }  // namespace regista::study

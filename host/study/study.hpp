@@ -74,6 +74,12 @@ using AfterMatch = std::function<void(const Round& round, std::uint64_t index, c
 // `play`, with `after` called after each match; as it is where `after` is empty.
 PlayRound observed(PlayRound play, AfterMatch after);
 
+// `play`, but each round begins with a look at the rows that are stored already. Throws campaign::StoreDamaged for one
+// that is none of its matches. end: the rows that all rounds until then have asked for. The store and it outlive this.
+PlayRound where_planned(PlayRound play, const campaign::Store& store, std::uint64_t& end);
+// Once no round follows: throws campaign::StoreDamaged for a row that is stored beyond them.
+void require_no_row_beyond(const campaign::Store& store, std::uint64_t end);
+
 // Answers a round by what a file holds. False: a match is missing, and those from it on were not taken. Throws
 // campaign::StoreError.
 bool answer_from(const campaign::Store& store, const Round& round, campaign::Metrics metrics);

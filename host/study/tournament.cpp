@@ -141,6 +141,11 @@ std::uint64_t Tournament::unplayed_pairs() const {
 
 void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided) {
   const bool first_at_home = !fixture.swapped;
+  if (decided.set_aside()) {
+    const auto label = [this](std::size_t team) { return plan_.teams[team].label; };
+    require_playable(++meeting.set_aside, plan_.limits,
+                     label(meeting.pairing.first) + " against " + label(meeting.pairing.second), decided.why_set_aside);
+  }
   if (first_at_home) {
     before_pair_ = {
         meeting.games, meeting.goals, meeting.goals_of_matches, {packets_[fixture.home], packets_[fixture.away]}};

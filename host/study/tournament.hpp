@@ -43,6 +43,7 @@ struct Meeting {
   std::optional<MetricDifference> metric;
   std::uint64_t pairs_without_metric = 0;  // a match of them was forfeited, or has no such number
   std::uint64_t unplayed_pairs = 0;        // a match of them could not be played; counted nowhere above
+  std::uint64_t set_aside = 0;             // matches of them
   // From the first of these on: the test with all of them counted for the second team, and for the first.
   std::optional<std::array<ObjectiveTest, 2>> either_way;
 

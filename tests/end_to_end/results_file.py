@@ -84,7 +84,8 @@ def checksum(*columns):
     return out
 
 
-TABLES = {"fixtures": ("id", ("key", "job")),
+TABLES = {"meta": ("name", ("name", "value")),
+          "fixtures": ("id", ("key", "job")),
           "matches": ("row", ("row", "fixture", "seed", "home_goals", "away_goals", "ended", "hash", "failure",
                               "seconds", "attempts")),
           "metric_names": ("id", ("names",)),

@@ -2,10 +2,13 @@
 """Teams that think in a process each: the same matches, and whoever dies, stops or sleeps is its team's to answer
 for, whatever killed it and whoever's call was under way."""
 
+import ctypes
+import errno
 import itertools
 import json
 import platform
 import shlex
+import struct
 import subprocess
 import unittest
 
@@ -91,6 +94,32 @@ class Blame(tournament.Tournament):
         for reason in self.forfeited("exits_later", THREADS):
             self.assertRegex(reason, r"^ended the process \(exit code 0\)(, between two calls)?$")
 
+    @unittest.skipIf(program.SANITIZED, "sanitizers have handlers of their own")
+    def test_a_plugin_is_named_only_for_what_ended_in_its_code(self):
+        """Else its team is, with the shared object in which it came: whose call was under way says nothing."""
+        for plugin, folder, named, reason in (
+                ("aborts", program.TEST_PLUGINS / "deaths", "aborts", r"^Aborted, in deaths\.so$"),
+                ("crashes_later", THREADS, "", r'^Segmentation fault, in thread "\w+", in threads\.so'),
+                ("exits_later", THREADS, "", r"^ended the process"),
+                ("rings_later", THREADS, "", r"^Alarm clock"),
+                ("crashes_in_a_handler", THREADS, "", r"^Segmentation fault, in threads\.so"),
+                ("frees_twice", THREADS, "", r"^Aborted, in threads\.so")):
+            with self.subTest(plugin):
+                for found in self.forfeited(plugin, folder):
+                    self.assertRegex(found, reason)
+                failures = self.stored("SELECT DISTINCT json_extract(failure, '$.plugin') FROM matches")
+                self.assertEqual(failures, [(named,)])
+                (self.folder / "tournament.db").unlink()
+
+    def test_what_is_left_in_the_process(self):
+        for plugin, what in (("leaves_a_child", "left a process running"), ("leaves_an_orphan", "left a process running"),
+                             ("blocks_a_signal", "changed which signals are blocked"),
+                             ("sets_a_variable", 'changed the environment variable "OF_A_PLUGIN"'),
+                             ("changes_the_umask", "changed the mode of new files (umask)")):
+            with self.subTest(plugin):
+                self.assertEqual(self.forfeited(plugin, program.TEST_PLUGINS / "leaves"), {what})
+                (self.folder / "tournament.db").unlink()
+
     def test_a_thread_that_stays(self):
         self.assertEqual(self.forfeited("stays_later", THREADS), {"left 1 thread running"})
 
@@ -153,6 +182,33 @@ class Blame(tournament.Tournament):
         done = subprocess.run(["bash", "-c", command], cwd=self.folder, timeout=120, stderr=subprocess.PIPE, text=True)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.wait_for(lambda: (self.folder / "told.txt").exists() and (self.folder / "told.txt").stat().st_size > 0)
+
+
+def without_seccomp():
+    """In a process that is about to run the program: no filter of system calls can be had from now on, as on a system
+    without them."""
+    library = ctypes.CDLL(None, use_errno=True)
+    call_number, errno_eperm = 317, 0x00050000 | errno.EPERM  # SYS_seccomp of x86-64; SECCOMP_RET_ERRNO
+    instructions = ((0x20, 0, 0, 0), (0x15, 0, 1, call_number), (0x06, 0, 0, errno_eperm), (0x06, 0, 0, 0x7FFF0000))
+    code = ctypes.create_string_buffer(b"".join(struct.pack("HBBI", *each) for each in instructions))
+    program_of_filter = ctypes.create_string_buffer(struct.pack("HxxxxxxQ", len(instructions), ctypes.addressof(code)))
+    no_new_privileges, set_seccomp, filtered = 38, 22, 2
+    if library.prctl(no_new_privileges, 1, 0, 0, 0) or library.prctl(set_seccomp, filtered, program_of_filter, 0, 0):
+        raise OSError(ctypes.get_errno(), "this system has no filters either")
+
+
+class Confinement(tournament.Tournament):
+    @unittest.skipUnless(platform.machine() == "x86_64", "it knows the number of a system call of that processor")
+    def test_where_processes_cannot_be_confined_nothing_is_proven(self):
+        usual = self.report("--results", "usual.db", pairs=1)
+        self.assertEqual(usual["not_proven"]["matches"], 0)
+        done = self.run_program(*self.arguments("--json", "--quiet", pairs=1), preexec_fn=without_seccomp)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(json.loads(done.stdout)["not_proven"],
+                         {"matches": 1, "listed": [{"match": 1, "what": "this system does not confine processes (seccomp)"}]})
+        self.assertEqual(self.rows(), self.rows("usual.db"))
+        self.assertTrue(self.succeed("report", "tournament.db").startswith(
+            "not proven that robots decide alone: match 1: this system does not confine processes (seccomp)\n"))
 
 
 class Documents(experiment.Experiment):

@@ -2,11 +2,14 @@
 """What is written never costs what is read, what was found, or another file that is written; and what cannot be kept,
 because results, a folder or a disk are gone, is told in one line."""
 
+import contextlib
 import os
 import pathlib
 import shutil
+import sqlite3
 import subprocess
 import tempfile
+import time
 import unittest
 
 import experiment
@@ -245,6 +248,63 @@ class Gone(Outputs):
         said = self.ended_when((self.folder / "tournament.db-wal").unlink, *self.long())
         self.assertIn("results in tournament.db-wal: the file is no longer there", said)
         self.assertGreater(self.count(), 2)
+
+    def test_results_that_are_written_over(self):
+        """In place, by a shell's redirection."""
+        file = self.folder / "tournament.db"
+        for change, why in ((lambda: os.truncate(file, 0), "it had"),
+                            (lambda: file.write_bytes(b"hello\n" + file.read_bytes()[6:]), "does not begin as a file of")):
+            for each in self.folder.glob("*.db*"):
+                each.unlink()
+            said = self.ended_when(change, *self.long())
+            self.assertIn("results in tournament.db: something else has written into the file: ", said)
+            self.assertIn(why, said)
+
+    def test_results_that_are_written_over_in_the_middle(self):
+        """The file is read as a whole before the study ends."""
+        self.succeed(*self.arguments("--quiet", "--no-page", pairs=20))
+        file = self.folder / "tournament.db"
+        page = 4096
+        with open(file, "r+b") as opened:
+            opened.seek(2 * page)
+            opened.write(bytes(file.stat().st_size - 2 * page))
+        done = self.run_program(*self.arguments("--quiet", "--no-page", "--resume", pairs=20))
+        self.assertIn(done.returncode, (1, 2))
+        self.assertEqual((done.stdout, done.stderr.count("\n")), ("", 1), done.stderr)
+        self.assertIn("tournament.db", done.stderr)
+
+    def test_another_program_holds_the_lock(self):
+        """As an open transaction in SQLite's shell does, all night: matches wait in memory, and none is lost."""
+        undisturbed = self.succeed(*tournament.Tournament.arguments(self, "--quiet", "--no-page", "--results", "once.db",
+                                                                   pairs=40))
+        command = tournament.Tournament.arguments(self, "--quiet", "--no-page", "--workers", "1", pairs=40)
+        with self.start(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            self.wait_for(lambda: self.count() > 2)
+            with contextlib.closing(sqlite3.connect(self.folder / "tournament.db", isolation_level=None)) as other:
+                other.execute("BEGIN IMMEDIATE")
+                held = self.count()
+                time.sleep(7)
+                self.assertEqual(self.count(), held)
+                self.assertIsNone(process.poll())
+                other.execute("COMMIT")
+            out, said = process.communicate(timeout=60)
+        self.assertEqual((process.returncode, out), (0, undisturbed), said)
+        self.assertEqual(said, "regista: tournament.db: another program keeps it from being written to; what is played "
+                               "waits in memory\nregista: tournament.db: is free again, and all that waited is written\n")
+        self.assertEqual(self.rows("tournament.db"), self.rows("once.db"))
+
+    def test_what_waits_for_a_lock_is_lost_by_name(self):
+        command = tournament.Tournament.arguments(self, "--quiet", "--no-page", "--workers", "1", pairs=500)
+        with self.start(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+            self.wait_for(lambda: self.count() > 2)
+            with contextlib.closing(sqlite3.connect(self.folder / "tournament.db", isolation_level=None)) as other:
+                other.execute("BEGIN IMMEDIATE")
+                time.sleep(1)
+                process.send_signal(2)
+                out, said = process.communicate(timeout=30)
+        self.assertEqual((process.returncode, out), (1, ""), said)
+        self.assertRegex(said.splitlines()[-1], r"locked by another process, so that (a match that was played is|"
+                                                r"\d+ matches that were played are) lost; to go on: .* --resume$")
 
     def test_a_folder_of_results_that_disappears(self):
         (self.folder / "away").mkdir()

@@ -383,7 +383,7 @@ class Pages(tournament.Tournament):
         self.change("DELETE FROM meta WHERE name = 'documents'")
         self.succeed("report", "tournament.db", "-o", "a.html")
         self.assertIn("do not hold the teams' documents", self.page("a.html").whole())
-        self.change("INSERT INTO meta VALUES('documents', '[\"a: [\", \"b\"]')")
+        self.change("INSERT INTO meta VALUES('documents', '[\"a: [\", \"b\"]', 0)")
         self.succeed("report", "tournament.db", "-o", "b.html")
         self.assertIn("cannot be compared", self.page("b.html").whole())
         self.change("UPDATE meta SET value = '{' WHERE name = 'documents'")

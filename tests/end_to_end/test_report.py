@@ -199,6 +199,39 @@ class Report(tournament.Tournament):
         (self.folder / "tournament.db").write_bytes(whole[:len(whole) // 2])
         self.assertIn("tournament.db", ask("tournament.db"))
 
+    def test_a_plan_that_was_changed(self):
+        self.play(pairs=4)
+        whole = (self.folder / "tournament.db").read_bytes()
+        fewer = "UPDATE meta SET value = replace(value, '\"pairs\":4', '\"pairs\":3') WHERE name = 'schedule'"
+        for statement, line, mend in (
+                (fewer, "the checksum of the plan of its study does not fit", False),
+                # Written by somebody who knows the checksum, or in a file of an older program.
+                (fewer, "match 7: it is none of those that the study planned", True),
+                ("UPDATE meta SET value = replace(value, '\"first_seed\":1', '\"first_seed\":2') WHERE name = 'schedule'",
+                 "match 1: it is none of those that the study planned", True),
+                ("UPDATE matches SET row = 100 WHERE row = 8", "match 100: ", True),
+                ("UPDATE meta SET value = '[]' WHERE name = 'documents'",
+                 "the checksum of the teams' documents does not fit", False)):
+            (self.folder / "tournament.db").write_bytes(whole)
+            before = self.stored("SELECT * FROM meta ORDER BY name"), self.stored("SELECT * FROM matches")
+            self.change(statement, mend=mend)
+            self.assertNotEqual((self.stored("SELECT * FROM meta ORDER BY name"), self.stored("SELECT * FROM matches")),
+                                before, statement)
+            self.assertIn(line, self.refused("report", "tournament.db", "-o", "page.html"))
+            if "documents" not in statement:  # of which it reads nothing
+                self.assertIn("tournament.db", self.refused(*self.arguments("--resume", "--quiet", pairs=4)))
+
+    def test_a_file_of_an_older_program_has_no_checksum_of_its_plan(self):
+        text = self.play(pairs=2)
+        self.change("ALTER TABLE meta DROP COLUMN checksum", mend=False)
+        remark = ("regista: tournament.db: an older Regista wrote it: its plan has no checksum, so that a change of it is "
+                  "not noticed\n")
+        done = self.run_program("report", "tournament.db")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, text, remark))
+        done = self.run_program(*self.arguments("--resume", "--quiet", pairs=2))
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, text, remark))
+        self.assertEqual(self.succeed("report", "tournament.db"), text)
+
     def test_rows_that_are_not_what_was_written_are_named(self):
         self.play(pairs=2)
         with contextlib.closing(sqlite3.connect(self.folder / "tournament.db")) as database:

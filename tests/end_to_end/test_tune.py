@@ -203,7 +203,7 @@ class Played(Tuning):
         # The base team itself must play.
         refused = self.refused(*self.arguments("--plugins", deaths, "--results", "b.db", "--quiet", "--set",
                                                "set={contexts.playing.params.daring: 0.9}"))
-        self.assertRegex(refused, "^tune: the base team forfeits its first matches: plugin dies_of_daring in holds: ")
+        self.assertRegex(refused, "^tuning: the base team forfeits its first matches: plugin dies_of_daring in holds: ")
 
     def test_time_ends_the_search_and_is_remembered(self):
         self.document(matches=4000, search=", minutes: 0.02")

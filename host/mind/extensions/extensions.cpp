@@ -3,6 +3,9 @@
 
 #include <regista/extensions/known_size.hpp>
 
+#include <algorithm>
+#include <cstring>
+
 namespace regista::mind {
 namespace {
 
@@ -37,8 +40,11 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
   log_use_.place = draw_use_.place = place;
   log_ = {sizeof log_, 0, this, [](void* context, std::int32_t level, const char* text, std::uint32_t length) {
             auto& self = *static_cast<InstanceExtensions*>(context);
-            if (text == nullptr) length = 0;
-            if (!self.owner_->muted_) self.owner_->log_.write(self.log_use_, level, {text, length});
+            // Beyond the limit a line costs nothing, and that was said.
+            if (self.owner_->muted_ || self.log_use_.lines > REGISTA_LOG_MOST_LINES) return;
+            // A length may be wrong: nothing is read behind the end of a string.
+            const std::size_t most = std::min<std::size_t>(length, REGISTA_LOG_MOST_BYTES + 1);
+            self.owner_->log_.write(self.log_use_, level, {text, text == nullptr ? 0 : strnlen(text, most)});
           }};
   draw_ = {sizeof draw_, 0, this,
            [](void* context) -> std::int32_t {

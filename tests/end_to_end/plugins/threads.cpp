@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Contexts that are long done with their calls when a thread that they started does harm, in whoever's call that is.
+// Contexts that are long done with their calls when a thread or a timer that they started does harm, in whoever's call
+// that is; and one that damages the heap, as which everybody's call may be the one to die.
+#include <sys/time.h>
+
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -55,5 +58,56 @@ struct StaysLater : Threaded<StaysLater> {
   }
 };
 
+namespace {
+
+volatile std::sig_atomic_t called = 0;  // whether CrashesInAHandler is, in whatever instance
+
+// SIGALRM, every millisecond of time from then on.
+void ring() {
+  const itimerval often{{0, 1000}, {0, 1000}};
+  ::setitimer(ITIMER_REAL, &often, nullptr);
+}
+
+}  // namespace
+
+struct RingsLater {
+  static constexpr auto id = "rings_later", version = "1.0.0", summary = "Starts a timer whose signal ends the process";
+  int asked = 0;
+  bool holds(const regista::Frame&) {
+    if (++asked == 20) ring();
+    return true;
+  }
+};
+
+struct CrashesInAHandler {
+  static constexpr auto id = "crashes_in_a_handler", version = "1.0.0",
+                        summary = "A timer's signal finds it writing to where nothing is, but in its own calls";
+  int asked = 0;
+  bool holds(const regista::Frame&) {
+    called = 1;
+    if (++asked == 20) {
+      std::signal(SIGALRM, [](int) {
+        volatile int* volatile nothing = nullptr;
+        if (called == 0) *nothing = 1;
+      });
+      ring();
+    }
+    called = 0;
+    return true;
+  }
+};
+
+struct FreesTwice {
+  static constexpr auto id = "frees_twice", version = "1.0.0", summary = "Gives a block of memory back twice";
+  int asked = 0;
+  bool holds(const regista::Frame&) {
+    void* volatile block = std::malloc(2000);
+    std::free(block);
+    if (++asked == 20) std::free(block);
+    return true;
+  }
+};
+
 REGISTA_PLUGINS(regista::Plugin<CrashesLater, regista::context>, regista::Plugin<ExitsLater, regista::context>,
-                regista::Plugin<StaysLater, regista::context>)
+                regista::Plugin<StaysLater, regista::context>, regista::Plugin<RingsLater, regista::context>,
+                regista::Plugin<CrashesInAHandler, regista::context>, regista::Plugin<FreesTwice, regista::context>)

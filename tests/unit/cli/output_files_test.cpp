@@ -165,6 +165,16 @@ TEST_F(OutputFilesTest, ResultsHaveALog) {
   }
 }
 
+TEST_F(OutputFilesTest, WhatSqliteKeepsBesideADatabaseIsNoOutput) {
+  const std::string other = file("other.db", "SQLite format 3, and more"), table = file("table.csv");
+  for (const char* ending : {"-wal", "-shm", "-journal"}) {
+    EXPECT_THAT(refusal({"tune"}, {"t.yaml", "--trace", other + ending}), HasSubstr("would take it for a part of"));
+    EXPECT_THAT(refusal({"report"}, {"r.db", "--figures", other + ending}), HasSubstr("would take it for a part of"));
+    EXPECT_EQ(refusal({"tune"}, {"t.yaml", "--trace", table + ending}), "");
+  }
+  EXPECT_EQ(refusal({"report"}, {"r.db", "--figures", other + "-figures"}), "");
+}
+
 TEST_F(OutputFilesTest, PluginsAreRead) {
   file("mine.so");
   EXPECT_THAT(refusal({"tune"}, {"t.yaml", "--plugins", folder_, "--trace", folder_ / "mine.so"}),

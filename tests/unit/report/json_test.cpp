@@ -22,7 +22,7 @@ TEST(TournamentJson, SaysWhatTheNumbersAre) {
   Course course({"new", "old"}, 290);
   course.take_pairs({{34, 54, 63, 64, 75}});
   const Json json = read(course);
-  const Strength known = *strength(course.tournament->meetings().front());
+  const Strength known = *strength(*course.tournament, course.tournament->meetings().front());
   EXPECT_EQ(json["pairs"], 290);
   EXPECT_EQ(json["matches"], 580);
   EXPECT_EQ(json["first_seed"], 1);

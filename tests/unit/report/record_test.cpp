@@ -148,7 +148,7 @@ TEST(CourseRecord, CurvesOfLongTournamentsAreThinnedAndEndWithTheLastPair) {
   EXPECT_LE(rows.size(), 601u);
   EXPECT_GE(rows.size(), 300u);
   EXPECT_EQ(rows.back()[0], 5001.0);
-  EXPECT_EQ(rows.back()[1], strength(course.tournament->meetings().front())->elo.value);
+  EXPECT_EQ(rows.back()[1], strength(*course.tournament, course.tournament->meetings().front())->elo.value);
 }
 
 std::string metrics(double overlap_home, double overlap_away, int packets_home, int packets_away) {

@@ -18,7 +18,7 @@ using testing::ElementsAre;
 TEST(Strength, OfThePublishedPairs) {
   Course course({"a", "b"});
   course.take_pairs({{34, 54, 63, 64, 75}});
-  const Strength known = *strength(course.tournament->meetings().front());
+  const Strength known = *strength(*course.tournament, course.tournament->meetings().front());
   EXPECT_NEAR(known.elo.value, 55.58, 0.005);
   EXPECT_NEAR(known.elo.margin(), 27.65, 0.005);
   EXPECT_NEAR(known.normalized_elo.value, 57.94, 0.005);
@@ -31,7 +31,7 @@ TEST(Strength, OfThePublishedPairs) {
 TEST(Strength, TheOtherPublishedPairs) {
   Course course({"a", "b"});
   course.take_pairs({{332, 433, 498, 333, 334}});
-  const Strength known = *strength(course.tournament->meetings().front());
+  const Strength known = *strength(*course.tournament, course.tournament->meetings().front());
   EXPECT_NEAR(known.elo.value, -8.64, 0.005);
   EXPECT_NEAR(known.elo.margin(), 10.33, 0.005);
   EXPECT_NEAR(known.normalized_elo.value, -9.17, 0.005);
@@ -41,9 +41,9 @@ TEST(Strength, TheOtherPublishedPairs) {
 
 TEST(Strength, OfNoPairIsUnknown) {
   Course course({"a", "b"});
-  EXPECT_FALSE(strength(course.tournament->meetings().front()).has_value());
+  EXPECT_FALSE(strength(*course.tournament, course.tournament->meetings().front()).has_value());
   course.take(match(1, 0));
-  EXPECT_FALSE(strength(course.tournament->meetings().front()).has_value());
+  EXPECT_FALSE(strength(*course.tournament, course.tournament->meetings().front()).has_value());
 }
 
 TEST(Strength, TheTTestIsOnTheGoalsOfThePublishedSample) {
@@ -53,7 +53,7 @@ TEST(Strength, TheTTestIsOnTheGoalsOfThePublishedSample) {
     course.take(match(std::max(goals, 0), std::max(-goals, 0)));
     course.take(match(std::max(-goals, 0), std::max(goals, 0)));
   }
-  const Strength known = *strength(course.tournament->meetings().front());
+  const Strength known = *strength(*course.tournament, course.tournament->meetings().front());
   EXPECT_NEAR(known.goals_t->t, 1.809934, 1e-6);
   EXPECT_NEAR(known.goals_t->p, 0.086153, 1e-6);
   EXPECT_NEAR(known.goals_t->interval.low, -0.078204, 1e-6);

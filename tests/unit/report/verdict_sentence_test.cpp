@@ -68,7 +68,7 @@ TEST(VerdictSentence, AndItsIntervalDoNotContradictEachOther) {
     Course course({"new", "old"}, static_cast<std::uint64_t>(pairs));
     course.take_pairs({counts});
     const study::Meeting& meeting = course.tournament->meetings().front();
-    const statistics::Interval interval = strength(meeting)->elo.interval;
+    const statistics::Interval interval = strength(*course.tournament, meeting)->elo.interval;
     const bool stronger = sentence(course).find("is stronger than") != std::string::npos;
     const IntervalUse use = interval_use(course.view(), 0);
     EXPECT_EQ(beside(course).find("confidence") != std::string::npos, use == IntervalUse::shown);

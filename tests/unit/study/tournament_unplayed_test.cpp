@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "study/study.hpp"
 #include "study/tournament.hpp"
 #include "tournament_fixture.hpp"
 
@@ -256,6 +257,27 @@ TEST(MatchRemarks, NamesTheFirstAndCountsAll) {
   EXPECT_EQ(remarks.written().size(), 20u);
   EXPECT_EQ(remarks.written().front(), 1u);
   EXPECT_EQ(remarks.unplayed().count(), 0u);
+}
+
+TEST(UnplayedPairs, ThreeMatchesOfAPairingEndTheStudyWithWhatEndedTheLast) {
+  TournamentPlan plan = plan_of(3, 4);
+  plan.limits = {};
+  Tournament course(plan);
+  const campaign::Decided none = unplayed(), some = match_of(1, true);
+  // A pair of each of the three pairings, again and again: two deaths in each of them, then a third one.
+  for (int pair = 0; pair < 2; ++pair) {
+    for (int pairing = 0; pairing < 3; ++pairing) {
+      EXPECT_TRUE(course.take(&none));
+      EXPECT_TRUE(course.take(&some));
+    }
+  }
+  try {
+    course.take(&none);
+    FAIL();
+  } catch (const StudyError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "team 0 against team 1: 3 matches could not be played, and no team can be blamed: " + none.why_set_aside);
+  }
 }
 
 }  // namespace

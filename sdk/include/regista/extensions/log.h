@@ -29,7 +29,7 @@ typedef struct regista_log {
   uint32_t size;
   uint32_t reserved;
   void* context;                     /* first argument of the call below */
-  /* One line of UTF-8, `length` bytes, copied. Only from within the instance's own calls, but nothing is taken
+  /* One line of UTF-8, `length` bytes or up to the first zero, copied. Only from within the instance's own calls, but nothing is taken
    * in `describe`. The host adds team, robot, tick and plugin. A level that is not named here is read as REGISTA_LOG_INFO. */
   void (*write)(void* context, int32_t level, const char* text, uint32_t length);
 } regista_log;
