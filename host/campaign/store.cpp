@@ -22,7 +22,7 @@ constexpr std::size_t most_named = 10;  // damaged rows
 std::string tables() { return StoredFixtures::tables + StoredMatches::tables() + StoredDocuments::tables; }
 
 constexpr auto between_tries = std::chrono::milliseconds(100);
-constexpr auto shortest_patience = std::chrono::seconds(5);
+constexpr auto usual_patience = std::chrono::seconds(5);
 
 // A match that is to be written.
 struct Waiting {
@@ -169,8 +169,7 @@ struct Store::Parts {
   // The lock was not to be had just now.
   bool goes_on_waiting() {
     if (!locked_since) locked_since = std::chrono::steady_clock::now();
-    const bool wanted = go_on && go_on({locked_for(), waiting.size(), false});
-    return wanted || locked_for() < shortest_patience;
+    return go_on ? go_on({locked_for(), waiting.size(), false}) : locked_for() < usual_patience;
   }
 
   StoreFile file;

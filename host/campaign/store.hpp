@@ -86,7 +86,7 @@ class Store {
   void settle();
   bool waiting_is_full() const;
   // Is called again and again while another program holds the lock: whether to go on waiting for it; and once when that
-  // is over. Without it, and where it says no, what must be written is given up after 5 s.
+  // is over. Where it says no, what must be written is given up; without it, after 5 s.
   void when_locked(std::function<bool(const Locked& locked)> go_on);
 
   std::int64_t rows() const;

@@ -71,20 +71,25 @@ bool of_heap(std::uintptr_t address) {
   return std::ranges::any_of(heap_functions, [address](const Function& each) { return each.holds(address); });
 }
 
+struct Walk {
+  FatalNote& note;
+  std::uintptr_t last = 0;  // where the caller that was found last goes on
+};
+
 // The nearest caller in a noted object, and whether the heap was at work on the way to it.
 _Unwind_Reason_Code look_at_frame(_Unwind_Context* frame, void* raw) {
-  FatalNote& note = *static_cast<FatalNote*>(raw);
-  const std::uintptr_t at = _Unwind_GetIP(frame);
-  if (const ObjectName* const name = object_at(at)) {
-    note.object = *name;
+  Walk& walk = *static_cast<Walk*>(raw);
+  walk.last = _Unwind_GetIP(frame);
+  if (const ObjectName* const name = object_at(walk.last)) {
+    walk.note.object = *name;
     return _URC_END_OF_STACK;
   }
-  if (of_heap(at)) note.heap = 1;
+  if (of_heap(walk.last)) walk.note.heap = 1;
   return _URC_NO_REASON;
 }
 
-// Where the stack cannot be followed, what looks like a return address mostly is one. The kernel reads, for the stack
-// may end anywhere.
+// Where no caller is found, as after a jump to where no code is, what looks like a return address mostly is one. The
+// kernel reads, for the stack may end anywhere.
 void look_through_stack(std::uintptr_t stack, FatalNote& note) {
   static std::uintptr_t words[words_of_stack];
   std::size_t read = sizeof words;
@@ -110,8 +115,9 @@ void note_place(const Registers& at, FatalNote& note) {
     note.object = *name;
     return;
   }
-  _Unwind_Backtrace(look_at_frame, &note);
-  if (note.object.front() == '\0' && at.stack != 0) look_through_stack(at.stack, note);
+  Walk walk{note};
+  _Unwind_Backtrace(look_at_frame, &walk);
+  if (walk.last == at.instruction) look_through_stack(at.stack, note);
 }
 
 void strike(int signal_number, siginfo_t*, void* context) {

@@ -262,13 +262,13 @@ class Gone(Outputs):
 
     def test_results_that_are_written_over_in_the_middle(self):
         """The file is read as a whole before the study ends."""
-        self.succeed(*self.arguments("--quiet", "--no-page", pairs=20))
+        self.succeed(*tournament.Tournament.arguments(self, "--quiet", "--no-page", pairs=20))
         file = self.folder / "tournament.db"
         page = 4096
         with open(file, "r+b") as opened:
             opened.seek(2 * page)
             opened.write(bytes(file.stat().st_size - 2 * page))
-        done = self.run_program(*self.arguments("--quiet", "--no-page", "--resume", pairs=20))
+        done = self.run_program(*tournament.Tournament.arguments(self, "--quiet", "--no-page", "--resume", pairs=20))
         self.assertIn(done.returncode, (1, 2))
         self.assertEqual((done.stdout, done.stderr.count("\n")), ("", 1), done.stderr)
         self.assertIn("tournament.db", done.stderr)

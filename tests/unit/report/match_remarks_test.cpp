@@ -58,7 +58,8 @@ TEST(Unplayed, AFixedNumberOfPairs) {
   EXPECT_THAT(text, AllOf(HasSubstr("\nNo verdict: 9 pairs could not be played.\n"),
                           HasSubstr("  match 26: died\\x1b[2J\n"), HasSubstr("  match 42: died"), Not(HasSubstr("Elo")),
                           Not(HasSubstr("LOS")), Not(HasSubstr("Ptnml"))));
-  EXPECT_TRUE(verdict.beside.empty());
+  ASSERT_EQ(verdict.beside.size(), 1u);
+  EXPECT_THAT(verdict.beside[0].str(), HasSubstr("9 pairs could not be played"));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["unplayed"]["pairs"], 9);
   EXPECT_EQ(json["unplayed"]["listed"][0]["match"], 26);
