@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "config/documents.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 std::string required_content(const std::filesystem::path& file) {
   std::optional<std::string> out = config::file_content(file);
-  if (!out) throw std::runtime_error("cannot read " + file.string());
+  if (!out) throw std::system_error(std::make_error_code(std::errc::io_error), "cannot read " + file.string());
   return std::move(*out);
 }
 

@@ -24,6 +24,7 @@
 #include "campaign/worker_process.hpp"
 #include "config/bad_input.hpp"
 #include "plugin/fatal_signal.hpp"
+#include "process/child.hpp"
 #include "process/descriptor.hpp"
 
 namespace regista::campaign {
@@ -70,9 +71,8 @@ struct Connection {
 // In the copy, which no destructor leaves: it ends by _exit.
 [[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files,
                                const Connection& connection, const std::string& program) {
-  constexpr int cannot = 127;
   ::close(connection.socket.number);
-  if (!process::become_child(worker_setting(files, job.limits), connection.coordinator)) ::_exit(cannot);
+  if (!process::become_child(worker_setting(files, job.limits), connection.coordinator)) ::_exit(process::Child::never_began);
   for (const int each : {files.answer, files.note, files.output, files.trail}) {
     if (each > trail_descriptor) ::close(each);
   }
@@ -84,7 +84,7 @@ struct Connection {
     const Answer answer = answer_of([&] { return play_job(job, std::move(match.setup), program, note); });
     ::_exit(hand_over(answer) ? 0 : 1);
   } catch (const std::exception&) {  // the note
-    ::_exit(cannot);
+    ::_exit(process::Child::never_began);
   }
 }
 

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "config/bytes.hpp"
@@ -129,7 +130,10 @@ class Looker {
       if (!pipe_.is_open()) return std::nullopt;
       pollfd watched{pipe_.number, POLLIN, 0};
       if (::poll(&watched, 1, patience) == 1) {
-        process::read_available(pipe_, [this](std::string_view piece) { said_ += piece; });
+        process::read_available(pipe_, [this](std::string_view piece) {
+          said_ += piece;
+          spoke_ = true;
+        });
         continue;
       }
       idle_ = idle.idle_seconds() > most_idle_seconds;
@@ -138,9 +142,12 @@ class Looker {
     }
   }
 
-  // Ends the child. How it ended, in words.
+  // Ends the child. How it ended, in words. Throws std::system_error where it never looked at a file.
   std::string why_not() {
     const process::ProcessEnd end = ended();
+    if (!spoke_ && end.exited_with(process::Child::never_began))
+      throw std::system_error(std::make_error_code(std::errc::too_many_files_open),
+                              "no process can look at plugin files");
     hung_ = late_ || end.out_of_processor_time();
     killed_ = !late_ && end.from_outside();
     if (idle_) return fmt::format("slept for {:.0f} s when it was opened", most_idle_seconds);
@@ -169,7 +176,7 @@ class Looker {
   process::Child child_;
   process::FileDescriptor pipe_;
   std::string said_;  // of it, what has not been taken yet
-  bool late_ = false, idle_ = false, hung_ = false, killed_ = false;
+  bool spoke_ = false, late_ = false, idle_ = false, hung_ = false, killed_ = false;
 };
 
 Surveyed refused(const std::string& why) { return {{}, config::one_line(why), {}}; }

@@ -22,7 +22,6 @@ namespace regista::process {
 namespace {
 
 constexpr rlim_t small_stack = rlim_t{8} << 20;  // bytes
-constexpr int cannot = 127;                      // exit code of a child that did not come into being
 constexpr int lowest_spare = 10;                 // above the numbers that files are handed over under
 constexpr std::size_t most_handed = 8;
 
@@ -160,7 +159,7 @@ Child Child::copy(const Setting& setting, const std::function<int()>& work) {
   const pid_t parent = ::getpid();
   const pid_t process = forked();
   if (process != 0) return Child(process);
-  if (!become_child(setting, parent)) ::_exit(cannot);
+  if (!become_child(setting, parent)) ::_exit(never_began);
   // Nothing that it throws may go on in what called this.
   ::_exit([&]() noexcept { return work(); }());
 }
@@ -181,7 +180,7 @@ Child Child::program(const Setting& setting, const Program& program) {
       ::execvpe(program.file.c_str(), words.data(), variables);
     const int error = errno;
     (void)!::write(reason.write.number, &error, sizeof error);
-    ::_exit(cannot);
+    ::_exit(Child::never_began);
   }
   Child out(process);
   out.ends_group_ = !setting.outlives_parent;

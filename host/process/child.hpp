@@ -88,6 +88,8 @@ class Child {
   // A copy of this process that does `work` and ends with the code that it returns, at once and without destructors.
   // This process has no threads that the copy would miss. Throws std::system_error.
   static Child copy(const Setting& setting, const std::function<int()>& work);
+  // The exit code of a copy that never came to its work: a limit of the system, mostly of open files.
+  static constexpr int never_began = 127;
 
   struct Program {
     std::string file = {};                                 // where it has no '/', it is looked for in PATH

@@ -5,6 +5,7 @@ because results, a folder or a disk are gone, is told in one line."""
 import contextlib
 import os
 import pathlib
+import resource
 import shutil
 import sqlite3
 import subprocess
@@ -13,6 +14,7 @@ import time
 import unittest
 
 import experiment
+import program
 import tournament
 
 MATCH = ("match", "small.yaml", "other.yaml", "--limit", "1", "--quiet")
@@ -242,6 +244,23 @@ class Gone(Outputs):
             said = self.ended_when(change, *self.long())
             self.assertIn("results in tournament.db: the file is no longer there, or is another one", said)
             self.assertNotIn("--resume", said, "there is nothing to resume")
+
+    def test_limits_of_the_system(self):
+        """Of open files and of memory: one line, status 1, and no plugin or file is blamed."""
+        command = tournament.Tournament.arguments(self, "--quiet", "--no-page", pairs=1)
+        for kind, most, line in ((resource.RLIMIT_NOFILE, 8, "no process can look at plugin files: Too many open files"),
+                                 (resource.RLIMIT_NOFILE, 20, "cannot keep a file open"),
+                                 (resource.RLIMIT_AS, 30 << 20, "")):
+            if kind == resource.RLIMIT_AS and program.SANITIZED:
+                continue  # they reserve more
+            for each in self.folder.glob("*.db*"):
+                each.unlink()
+            done = self.run_program(*command, preexec_fn=lambda: resource.setrlimit(kind, (most, most)))
+            if done.returncode == 0 and kind == resource.RLIMIT_AS:
+                continue  # it was enough
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done.stderr)
+            self.assertIn(line, done.stderr)
+            self.assertNotIn("internal error", done.stderr)
 
     def test_a_log_that_disappears(self):
         """What stands in it only is lost should the program be killed now."""

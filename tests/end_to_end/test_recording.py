@@ -46,6 +46,30 @@ class Recording(program.Case):
         return recorded.read(self.folder / name)
 
 
+class Crashed(Recording):
+    def roles(self, *more):
+        """Those that each robot of the home team holds before, while and after it may have crashed."""
+        self.succeed(*MATCH, "--limit", 120, "--quiet", "--record", "a.mcap", "--force", *more)
+        out = collections.defaultdict(set)
+        for topic, message in self.recording().messages:
+            if topic != "/game":
+                continue
+            time = message["time"]
+            when = "before" if 15 < time < 19.9 else "while" if 20.3 < time < 29.7 else "after" if time > 90 else None
+            for robot, role in enumerate(message["roles"][0], start=1):
+                out[when, robot].add(role)
+        return out
+
+    def test_a_robot_that_has_crashed_holds_no_role(self):
+        """Whatever it held when it stopped to decide; and a role again when it is back."""
+        usual = self.roles()
+        robot = next(n for n in range(2, 8) if all(-1 not in usual[when, n] for when in ("before", "while", "after")))
+        crashed = self.roles("--set", f"home_disturbance.incidents=[{{kind: crash, robots: [{robot}], at: 20, for: 10}}]")
+        self.assertEqual(crashed["before", robot], usual["before", robot])
+        self.assertEqual(crashed["while", robot], {-1})
+        self.assertGreaterEqual(max(crashed["after", robot]), 0)
+
+
 class WhatStandsInIt(Recording):
     """Against the log of --decisions, which another part of the program writes, and the result of the match."""
 

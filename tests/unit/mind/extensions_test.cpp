@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -183,6 +184,14 @@ TEST_F(ExtensionsTest, TextsAreCutBetweenCharacters) {
   EXPECT_EQ(extensions.log().lines()[0].text, text);
   say(text.substr(1) + "\xc3\xa4" + "y");
   EXPECT_EQ(extensions.log().lines()[1].text, text.substr(1) + "\xc3\xa4");
+}
+
+TEST_F(ExtensionsTest, ALengthThatIsWrongReadsNothingBehindTheText) {
+  constexpr std::array said{'a', 'b', 'c', '\0', 'o', 't', 'h', 'e', 'r', '\0'};
+  for (const std::uint32_t length : {4u, 10u, 4'000'000'000u}) {
+    log().write(log().context, REGISTA_LOG_INFO, said.data(), length);
+    EXPECT_EQ(extensions.log().lines().back().text, "abc");
+  }
 }
 
 TEST_F(ExtensionsTest, ASinkHearsFromItsLevelOn) {
