@@ -23,13 +23,13 @@
 namespace regista::campaign {
 namespace {
 
-// The plugins of the job's teams. In the process that plays, nothing is lost when they are loaded at once; where minds
-// are apart, that process loads none.
+// The plugins of the job's teams. Where each team thinks in a process of its own it is asked whose fault something is,
+// so the process that plays loads none. Else nothing is lost when they are loaded at once.
 plugin::Catalogue plugins_of(const Job& job, const Surroundings& surroundings) {
   if (job.plugin_files.empty()) return surroundings.open_plugins(job.plugins);
   const std::vector<std::filesystem::path> files(job.plugin_files.begin(), job.plugin_files.end());
   using Looking = plugin::Catalogue::Looking;
-  plugin::Catalogue out = plugin::Catalogue::of_files(files, job.is_apart() ? Looking::in_a_child : Looking::here);
+  plugin::Catalogue out = plugin::Catalogue::of_files(files, job.separation == Separation::teams ? Looking::in_a_child : Looking::here);
   // All of them could be used when the job was made.
   if (!out.refused().empty()) {
     throw config::BadInput(fmt::format("{}; that was not so at the beginning", to_string(out.refused().front())));

@@ -32,7 +32,7 @@ struct Caller {
   }
   // Primes, so that no plugin's period keeps it away from all of these decisions.
   bool looks_closely() const {
-    constexpr std::uint64_t seldom = 127, often = 7;
+    constexpr std::uint64_t seldom = 127, often = 13;
     if (noting.look == Look::seldom) return tick % seldom == 0;
     return noting.look == Look::always || (tick + static_cast<std::uint64_t>(robot)) % often == 0;
   }

@@ -5,10 +5,14 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <clocale>
 #include <condition_variable>
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <mutex>
@@ -95,6 +99,54 @@ TEST(ProcessState, AllOfThemInOneLine) {
   EXPECT_EQ(left, fmt::format("left file descriptor {} open, changed the handler of SIGUSR1", opened));
   std::signal(SIGUSR1, SIG_DFL);
   ::close(opened);
+}
+
+TEST(ProcessState, WhatElseIsEverybodys) {
+  EXPECT_EQ(left_by([] { ::setenv("REGISTA_TEST_LEFT", "1", 1); }),
+            "changed the environment variable \"REGISTA_TEST_LEFT\"");
+  EXPECT_EQ(left_by([] { ::setenv("REGISTA_TEST_LEFT", "2", 1); }),
+            "changed the environment variable \"REGISTA_TEST_LEFT\"");
+  EXPECT_EQ(left_by([] {
+              ::unsetenv("REGISTA_TEST_LEFT");
+              ::setenv("REGISTA_TEST_OTHER", "", 1);
+            }),
+            "changed 2 variables of the environment");
+  ::unsetenv("REGISTA_TEST_OTHER");
+  const mode_t before = ::umask(0027);
+  EXPECT_EQ(left_by([] { ::umask(0); }), "changed the mode of new files (umask)");
+  ::umask(before);
+  sigset_t one, old;
+  sigemptyset(&one);
+  sigaddset(&one, SIGUSR2);
+  EXPECT_EQ(left_by([&] { ::pthread_sigmask(SIG_BLOCK, &one, &old); }), "changed which signals are blocked");
+  ::pthread_sigmask(SIG_SETMASK, &old, nullptr);
+  EXPECT_EQ(left_by([] { std::setlocale(LC_NUMERIC, "C.UTF-8"); }), "changed the locale");
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(ProcessState, ProcessesAlsoWhereTheirParentHasEnded) {
+  keep_orphans();
+  const auto one = [] {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(0);
+    return child;
+  };
+  EXPECT_EQ(left_by([&] { ::waitpid(one(), nullptr, 0); }), "");
+  EXPECT_EQ(left_by([&] { one(); }), "left a process running");
+  while (::wait(nullptr) > 0) {
+  }
+  EXPECT_EQ(left_by([&] {
+              const pid_t between = ::fork();
+              if (between == 0) {
+                ::setsid();
+                one();
+                ::_exit(0);
+              }
+              ::waitpid(between, nullptr, 0);
+            }),
+            "left a process running");
+  while (::wait(nullptr) > 0) {
+  }
 }
 
 }  // namespace
