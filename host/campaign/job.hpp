@@ -78,7 +78,7 @@ struct Decided {
   std::string why_set_aside{};     // how its workers died, one line; else empty
   std::string irreproducible{};    // where another play of the same match first differed, one line; else empty
   std::string shared{};            // who answers by more than what its own robot knows, one line; else empty
-  std::string broken{};    // which promise a plugin breaks where it is looked at closely, one line; else empty
+  std::string broken{};            // which promise a plugin breaks where it is looked at closely, one line; else empty
   std::string kept{};      // what plugins keep outside of their instances, though nothing came of it; else empty
   std::string unproven{};  // why it is not known that robots decide alone, though it was asked; mostly empty
   std::string output{};    // what plugins wrote to standard error, cut in the middle; mostly empty

@@ -29,7 +29,8 @@ plugin::Catalogue plugins_of(const Job& job, const Surroundings& surroundings) {
   if (job.plugin_files.empty()) return surroundings.open_plugins(job.plugins);
   const std::vector<std::filesystem::path> files(job.plugin_files.begin(), job.plugin_files.end());
   using Looking = plugin::Catalogue::Looking;
-  plugin::Catalogue out = plugin::Catalogue::of_files(files, job.separation == Separation::teams ? Looking::in_a_child : Looking::here);
+  plugin::Catalogue out =
+      plugin::Catalogue::of_files(files, job.separation == Separation::teams ? Looking::in_a_child : Looking::here);
   // All of them could be used when the job was made.
   if (!out.refused().empty()) {
     throw config::BadInput(fmt::format("{}; that was not so at the beginning", to_string(out.refused().front())));

@@ -72,7 +72,8 @@ struct Connection {
 [[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files,
                                const Connection& connection, const std::string& program) {
   ::close(connection.socket.number);
-  if (!process::become_child(worker_setting(files, job.limits), connection.coordinator)) ::_exit(process::Child::never_began);
+  if (!process::become_child(worker_setting(files, job.limits), connection.coordinator))
+    ::_exit(process::Child::never_began);
   for (const int each : {files.answer, files.note, files.output, files.trail}) {
     if (each > trail_descriptor) ::close(each);
   }

@@ -33,8 +33,9 @@ bool is_prevented(const study::Tournament& course, const study::Meeting& meeting
 
 struct Ranked {
   std::size_t team = 0;
-  std::optional<statistics::Estimate> elo;  // Bradley-Terry; nothing where the results do not determine it, or who leads
-  double nash = 0.0;                        // share in the equilibrium
+  std::optional<statistics::Estimate>
+      elo;            // Bradley-Terry; nothing where the results do not determine it, or who leads
+  double nash = 0.0;  // share in the equilibrium
   double points = 0.0;
   std::uint64_t matches = 0, wins = 0, draws = 0, losses = 0, scored = 0, conceded = 0, failures = 0;
 };

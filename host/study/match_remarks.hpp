@@ -50,9 +50,9 @@ class MatchRemarks {
 
   const RemarkList& unplayed() const { return unplayed_; }              // and why
   const RemarkList& irreproducible() const { return irreproducible_; }  // and where two plays first differed
-  const RemarkList& shared() const { return shared_; }      // whose plugin used what its robot alone does not know
-  const RemarkList& broken() const { return broken_; }      // which promise a plugin breaks where it is looked at closely
-  const RemarkList& kept() const { return kept_; }          // what plugins keep outside, though nothing came of it
+  const RemarkList& shared() const { return shared_; }  // whose plugin used what its robot alone does not know
+  const RemarkList& broken() const { return broken_; }  // which promise a plugin breaks where it is looked at closely
+  const RemarkList& kept() const { return kept_; }      // what plugins keep outside, though nothing came of it
   const RemarkList& unproven() const { return unproven_; }  // why it is not known that robots decide alone
   // Matches in which plugins wrote to standard error: the first ones, and how many there are.
   const std::vector<std::uint64_t>& written() const { return written_; }
