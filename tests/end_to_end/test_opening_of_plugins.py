@@ -51,6 +51,15 @@ class OpeningOfPlugins(program.Case):
                 self.assertEqual(said, {name: reason})
                 self.assertLess(time.monotonic() - began, 12)
 
+    def test_a_child_that_is_killed_is_started_once_more(self):
+        """Together with other files, by itself, and once more: a kill says nothing about the file."""
+        self.beside("be_killed")
+        for kills, refused in ((1, {}), (2, {}), (3, {"be_killed": "died when it was opened: Killed"})):
+            (self.folder / "marks").unlink(missing_ok=True)
+            listed = json.loads(self.succeed("plugin", "list", "--json", environment={"MOST_KILLS": str(kills)}))
+            self.assertEqual({name_of(each["file"]): each["reason"] for each in listed["refused"]}, refused)
+            self.assertEqual((self.folder / "marks").read_text(), kills * "killed\n")
+
     def test_every_command_works(self):
         """They stand before and after the sound ones in the order of names."""
         self.beside("crash", "leave", "start_a_thread")

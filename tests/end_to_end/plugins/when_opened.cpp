@@ -6,8 +6,12 @@
 #endif
 #include <unistd.h>
 
+#include <algorithm>
 #include <cfenv>
+#include <csignal>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <thread>
 
 #include <regista/context.hpp>
@@ -42,6 +46,16 @@ namespace {
 #else
   std::fesetround(FE_UPWARD);
 #endif
+}
+
+// As a machine without memory does, until the file "marks" of the working folder has MOST_KILLS lines.
+[[maybe_unused]] void be_killed() {
+  const char* const most = std::getenv("MOST_KILLS");
+  std::ifstream before("marks");
+  const auto lines = std::count(std::istreambuf_iterator<char>(before), {}, '\n');
+  if (most == nullptr || lines >= std::atoi(most)) return;
+  std::ofstream("marks", std::ios::app) << "killed\n";
+  std::raise(SIGKILL);
 }
 
 [[maybe_unused]] void round_upward() { std::fesetround(FE_UPWARD); }
