@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -50,8 +51,11 @@ class Engine {
       const Finish out = play();
       store_.settle();
       return out;
-    } catch (...) {
-      store_.settle();  // what was played until then
+    } catch (const CampaignError&) {
+      keep_what_waits();
+      throw;
+    } catch (const std::system_error&) {
+      keep_what_waits();
       throw;
     }
   }
@@ -79,6 +83,14 @@ class Engine {
       }
     }
     return Finish::complete;
+  }
+
+  // As far as that is possible at once: why the engine ends is what is to be said.
+  void keep_what_waits() {
+    try {
+      store_.write_waiting();
+    } catch (const StoreError&) {
+    }
   }
 
   struct Ready {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iterator>
 #include <optional>
 #include <system_error>
@@ -20,8 +21,9 @@ namespace regista::campaign {
 namespace {
 
 std::string required_content(const std::filesystem::path& file) {
+  errno = 0;
   std::optional<std::string> out = config::file_content(file);
-  if (!out) throw std::system_error(std::make_error_code(std::errc::io_error), "cannot read " + file.string());
+  if (!out) throw std::system_error(errno == 0 ? EIO : errno, std::generic_category(), "cannot read " + file.string());
   return std::move(*out);
 }
 

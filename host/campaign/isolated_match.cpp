@@ -195,7 +195,10 @@ class IsolatedMatch {
       // Below half of what it may have, it is the machine that has no more.
       const bool of_the_machine =
           limits_.memory == 0 || process::address_space_of(asked.process.process()) < limits_.memory / 2;
-      throw Fault(noted(asked, "no memory is left"), of_the_machine);
+      Failure failure = noted(asked, "no memory is left");
+      failure.plugin.clear();  // who has taken it is not known
+      failure.call.clear();
+      throw Fault(failure, of_the_machine);
     }
     const auto bytes = asked.channel.bytes();
     Failure failure;

@@ -23,9 +23,6 @@ struct Limits {
   // Robots of a team may share memory: each team's minds have one process, also in that second play.
   bool allow_shared_memory = false;
 
-  // So many matches of one pairing that died without anybody to blame end a study.
-  std::uint64_t most_set_aside = 3;
-
   // Processor time of the whole match, RLIMIT_CPU.
   int match_seconds() const { return 100 * processor_seconds; }
   friend bool operator==(const Limits&, const Limits&) = default;

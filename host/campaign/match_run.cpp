@@ -18,12 +18,14 @@ bool same_match(const Decided& one, const Decided& other) {
   return one.score == other.score && one.ended == other.ended && one.hash == other.hash && one.metrics == other.metrics;
 }
 
+const char* side_of(const Failure& failure) { return failure.side == 0 ? "home" : "away"; }
+
 // How a play failed: the worker's end, or what it answered.
 std::string what_failed(const std::string& end, const std::optional<Answer>& answer) {
   if (!answer) return end;
   if (answer->kind != Answer::Kind::failed) return answer->message;
   const Failure& failure = *answer->decided.failure;
-  if (failure.plugin.empty()) return "a plugin " + failure.what;
+  if (failure.plugin.empty()) return fmt::format("a plugin of the {} team: {}", side_of(failure), failure.what);
   return fmt::format("plugin {}, {}: {}", failure.plugin, failure.call, failure.what);
 }
 
@@ -76,9 +78,12 @@ void MatchRun::start(Stage stage) {
   job.elsewhere =
       stage == Stage::second || stage == Stage::traced || stage == Stage::traced_alone || stage == Stage::traced_hiding;
   job.trail = is_traced(stage);
-  job.hides = stage == Stage::second || stage == Stage::traced_hiding || stage == Stage::isolated;
+  // Who is to blame for a death must not be looked at otherwise than in the first play.
+  const bool accounts = stage == Stage::isolated && first_;
+  job.hides = stage == Stage::second || stage == Stage::traced_hiding || accounts;
   if (stage == Stage::second) job.look = plugin::Look::often;
-  if (stage == Stage::isolated || job.trail) job.look = plugin::Look::always;
+  if (stage == Stage::isolated) job.look = plugin::Look::answers;
+  if (accounts || job.trail) job.look = plugin::Look::always;
   if (stage != Stage::first || job.is_apart()) job.record.clear();
   if (stage == Stage::recording) {
     job.expects_failure = decided_->failure.has_value();
@@ -168,10 +173,16 @@ void MatchRun::played(const Answer& answer) {
       return;
     case Stage::alone:
       alone_ = true;
-      if (same_match(*first_, answer.decided))
-        decide_first();
-      else
-        start(Stage::traced);
+      if (!same_match(*first_, answer.decided)) {
+        if (first_->broken.empty()) {
+          start(Stage::traced);
+          return;
+        }
+        first_->unproven =
+            "the match comes out otherwise where each robot is alone in a process; why, the plays that find "
+            "it out cannot say, for they end at the broken promise";
+      }
+      decide_first();
       return;
     case Stage::traced: {
       const bool same = same_match(*first_, answer.decided);
@@ -237,9 +248,13 @@ void MatchRun::failed(Attempt attempt) {
         break;
       }
       // The first play stands: other matches of its pairing are not looked at so closely either.
-      first_->broken = fmt::format("{}, robot {}, tick {}: {}", failure.side == 0 ? "home" : "away", failure.robot,
-                                   failure.tick, attempts_.back().what);
-      start(Stage::alone);
+      first_->broken = failure.robot == 0 ? attempts_.back().what
+                                          : fmt::format("{}, robot {}, tick {}: {}", side_of(failure), failure.robot,
+                                                        failure.tick, attempts_.back().what);
+      if (limits_.allow_shared_memory)
+        decide_first();
+      else
+        start(Stage::alone);
       break;
     }
     case Judgement::give_up:
@@ -284,9 +299,8 @@ void MatchRun::explanation_failed(const Attempt& attempt, const std::optional<An
     const Failure& failure = *answer->decided.failure;
     // What fails by chance fails elsewhere or otherwise.
     if (failure == second_failure_)
-      first_->shared = fmt::format(
-          "{}, robot {}, tick {}: plugin {} fails in {} where its robot is alone in a process: {}",
-          failure.side == 0 ? "home" : "away", failure.robot, failure.tick, failure.plugin, failure.call, failure.what);
+      first_->shared = fmt::format("{}, robot {}, tick {}: {}, where its robot is alone in a process", side_of(failure),
+                                   failure.robot, failure.tick, attempt.what);
   }
   decide_first();
 }

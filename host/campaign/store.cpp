@@ -7,8 +7,8 @@
 #include <sqlite3.h>
 
 #include <algorithm>
+#include <deque>
 #include <thread>
-#include <type_traits>
 #include <utility>
 
 #include "campaign/row_checksum.hpp"
@@ -23,6 +23,7 @@ std::string tables() { return StoredFixtures::tables + StoredMatches::tables() +
 
 constexpr auto between_tries = std::chrono::milliseconds(100);
 constexpr auto usual_patience = std::chrono::seconds(5);
+constexpr auto least_patience = std::chrono::milliseconds(500);  // also of a program that was asked to stop
 
 // A match that is to be written.
 struct Waiting {
@@ -30,6 +31,18 @@ struct Waiting {
   MatchKey key;
   Decided decided;
   int attempts;
+};
+
+// While it lives, a lock of another program is an error at once.
+class NoPatience {
+ public:
+  explicit NoPatience(SQLite::Database& database) : database_(database) { database.setBusyTimeout(0); }
+  ~NoPatience() { sqlite3_busy_timeout(database_.getHandle(), StoreFile::wait_for_writers); }
+  NoPatience(const NoPatience&) = delete;
+  NoPatience& operator=(const NoPatience&) = delete;
+
+ private:
+  SQLite::Database& database_;
 };
 
 // In memory, about.
@@ -46,7 +59,7 @@ template <class Parts, class Work>
 auto guarded(Parts& parts, Work work) {
   const auto about = [&](const SQLite::Exception& error) {
     const std::string text = fmt::format("results in {}: {}", parts.file.name(), reason(error));
-    const std::size_t lost = parts.waiting.size();
+    const std::size_t lost = std::exchange(parts.lost, 0);
     if (lost == 0) return text;
     return fmt::format("{}, so that {} lost", text,
                        lost == 1 ? "a match that was played is" : fmt::format("{} matches that were played are", lost));
@@ -113,52 +126,47 @@ struct Store::Parts {
 
   // Does what writes, in one transaction. Throws SQLite::Exception at once where another program holds the lock.
   template <class Work>
-  auto write_now(Work work) {
+  void write_now(Work work) {
     file.require();
     end_reading();
-    file.database().setBusyTimeout(0);
+    const NoPatience at_once(file.database());
     SQLite::Transaction transaction(file.database(), SQLite::TransactionBehavior::IMMEDIATE);
-    if constexpr (std::is_void_v<decltype(work())>) {
-      work();
-      transaction.commit();
-      written();
-    } else {
-      auto out = work();
-      transaction.commit();
-      written();
-      return out;
+    work();
+    transaction.commit();
+    file.remember();
+  }
+
+  // All matches that wait, each by itself: what one of them adds to other tables is known only once it is there.
+  void write_waiting_now() {
+    while (!waiting.empty()) {
+      const Waiting& first = waiting.front();
+      write_now([&] { matches.insert(first.row, first.key, first.decided, first.attempts); });
+      waiting_bytes -= size_of(first.decided);
+      waiting.pop_front();
     }
   }
 
-  // The same, as soon as that can be, and after all that waits.
+  // Does what writes as soon as that can be, after all that waits. What waits is lost where that is given up.
   template <class Work>
-  auto write(Work work) {
+  void write(Work work) {
     for (;;) {
       try {
-        if (!waiting.empty()) write_now([&] { put_all_waiting(); });
-        return write_now(work);
+        write_waiting_now();
+        write_now(work);
+        no_longer_locked();
+        return;
       } catch (const SQLite::Exception& error) {
-        if (error.getErrorCode() != SQLITE_BUSY || !goes_on_waiting()) throw;
+        if (error.getErrorCode() != SQLITE_BUSY || !goes_on_waiting()) {
+          give_up();
+          throw;
+        }
         std::this_thread::sleep_for(between_tries);
       }
     }
   }
 
-  void put_all_waiting() {
-    for (const Waiting& each : waiting) matches.insert(each.row, each.key, each.decided, each.attempts);
-  }
-
-  void written() {
-    file.remember();
-    file.database().setBusyTimeout(StoreFile::wait_for_writers);
-    forget_waiting();
-    if (!locked_since) return;
-    if (go_on) go_on({locked_for(), 0, true});
-    locked_since.reset();
-  }
-
-  void forget_waiting() {
-    waiting.clear();
+  void give_up() {
+    lost = std::exchange(waiting, {}).size();
     waiting_bytes = 0;
   }
 
@@ -169,7 +177,14 @@ struct Store::Parts {
   // The lock was not to be had just now.
   bool goes_on_waiting() {
     if (!locked_since) locked_since = std::chrono::steady_clock::now();
-    return go_on ? go_on({locked_for(), waiting.size(), false}) : locked_for() < usual_patience;
+    if (!go_on) return locked_for() < usual_patience;
+    return go_on({locked_for(), waiting.size(), false}) || locked_for() < least_patience;
+  }
+
+  void no_longer_locked() {
+    if (!locked_since) return;
+    if (go_on) go_on({locked_for(), 0, true});
+    locked_since.reset();
   }
 
   StoreFile file;
@@ -177,8 +192,9 @@ struct Store::Parts {
   StoredDocuments documents;
   StoredMatches matches;
   bool reading = false;
-  std::vector<Waiting> waiting;
+  std::deque<Waiting> waiting;
   std::size_t waiting_bytes = 0;
+  std::size_t lost = 0;  // matches that waited when that was given up
   std::function<bool(const Locked&)> go_on;
   std::optional<std::chrono::steady_clock::time_point> locked_since;
 };
@@ -234,11 +250,13 @@ bool Store::write_waiting() {
   if (parts_->waiting.empty()) return true;
   return guarded(*parts_, [&] {
     try {
-      parts_->write_now([&] { parts_->put_all_waiting(); });
+      parts_->write_waiting_now();
+      parts_->no_longer_locked();
       return true;
     } catch (const SQLite::Exception& error) {
       if (error.getErrorCode() != SQLITE_BUSY) {
-        parts_->forget_waiting();  // no other try mends it
+        parts_->give_up();                                       // no other try mends it
+        parts_->lost = parts_->lost > 0 ? parts_->lost - 1 : 0;  // the last did not wait
         throw;
       }
       parts_->goes_on_waiting();  // which reports it
@@ -270,7 +288,9 @@ Taken Store::take(const Store& other, Unknown unknown) {
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     if (ours[i] != 0) mine.emplace(theirs[i].first, ours[i]);
   }
-  return guarded(*parts_, [&] { return parts_->write([&] { return parts_->matches.take(there.matches, mine); }); });
+  Taken out;
+  guarded(*parts_, [&] { parts_->write([&] { out = parts_->matches.take(there.matches, mine); }); });
+  return out;
 }
 
 std::optional<Store::Row> Store::row(std::int64_t row) const {

@@ -78,7 +78,7 @@ std::string meaning_of_meta(const std::string& name) {
 struct StoreFile::Identity {
   dev_t device = 0;
   ino_t number = 0;
-  off_t size = 0;  // none of our files becomes shorter while it is open
+  off_t size = 0;  // the file of results does not become shorter while it is open
   bool same_file(const Identity& other) const { return device == other.device && number == other.number; }
 };
 
@@ -181,7 +181,11 @@ bool is_store(const std::filesystem::path& file) {
 
 StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
                      const std::string& tables, Journal journal)
-    : name_(file.string()), mode_(mode), journal_(journal) {
+    : name_(file.string()),
+      mode_(mode),
+      journal_(journal),
+      identity_(std::make_unique<std::optional<Identity>>()),
+      log_identity_(std::make_unique<std::optional<Identity>>()) {
   open();
   try {
     prepare(program_version, tables);
@@ -303,27 +307,24 @@ void StoreFile::set_meta(const std::string& name, const std::string& value) {
   put.exec();
 }
 
+void StoreFile::require_same(const std::string& name, std::optional<Identity>& known) {
+  const std::optional<Identity> now = identity_of(name);
+  if (known && (!now || !now->same_file(*known))) throw StoreGone(fmt::format("results in {}: {}", name, gone));
+  known = now;
+}
+
 void StoreFile::remember() {
-  const auto now = [](const std::string& name) {
-    const std::optional<Identity> found = identity_of(name);
-    return found ? std::make_unique<const Identity>(*found) : nullptr;
-  };
-  identity_ = now(name_);
-  log_identity_ = now(name_ + "-wal");  // is there from the first row that is written on
+  require_same(name_, *identity_);
+  require_same(name_ + "-wal", *log_identity_);  // is there from the first row that is written on
 }
 
 void StoreFile::require() {
-  const auto check = [](const std::string& name, const std::unique_ptr<const Identity>& before) {
-    if (!before) return;
-    const std::optional<Identity> now = identity_of(name);
-    if (!now || !now->same_file(*before)) throw StoreGone(fmt::format("results in {}: {}", name, gone));
-    if (now->size < before->size) {
-      throw StoreGone(
-          fmt::format("results in {}: {}it had {} bytes and has {}", name, overwritten, before->size, now->size));
-    }
-  };
-  check(name_, identity_);
-  check(name_ + "-wal", log_identity_);
+  const off_t size = *identity_ ? (*identity_)->size : 0;
+  remember();
+  if (*identity_ && (*identity_)->size < size) {
+    throw StoreGone(
+        fmt::format("results in {}: {}it had {} bytes and has {}", name_, overwritten, size, (*identity_)->size));
+  }
   if (written_to() && !hold_->begins_as_ours()) {
     throw StoreGone(fmt::format("results in {}: {}it does not begin as a file of results", name_, overwritten));
   }
@@ -336,11 +337,10 @@ void StoreFile::require_whole() {
   try {
     said = database_->execAndGet("PRAGMA quick_check(1)").getString();
   } catch (const SQLite::Exception& error) {
+    if (error.getErrorCode() != SQLITE_CORRUPT && error.getErrorCode() != SQLITE_NOTADB) throw;
     said = reason(error);
   }
-  if (said != "ok") {
-    throw StoreGone(fmt::format("results in {}: {}{}", name_, overwritten, config::one_line(said)));
-  }
+  if (said != "ok") throw StoreGone(fmt::format("results in {}: {}{}", name_, overwritten, config::one_line(said)));
 }
 
 }  // namespace regista::campaign

@@ -63,7 +63,7 @@ class StoreFile {
   // than it was, or begins otherwise. What is written to a file that nobody finds by its name is lost, and so is a log
   // that was deleted should we die.
   void require();
-  // After each write of ours: what require() compares with.
+  // After each write of ours: what require() compares with. Throws StoreGone as it does.
   void remember();
   // require(), and reads the whole file: throws StoreGone where it is no sound database any more.
   void require_whole();
@@ -77,13 +77,14 @@ class StoreFile {
   void add_meta_checksums();
   int pragma(const char* name);
   static std::optional<Identity> identity_of(const std::string& name);
+  static void require_same(const std::string& name, std::optional<Identity>& known);
 
   std::string name_;
   StoreMode mode_;
   Journal journal_;
   std::unique_ptr<const Hold> hold_;  // until the database is closed
   std::unique_ptr<SQLite::Database> database_;
-  std::unique_ptr<const Identity> identity_, log_identity_;
+  std::unique_ptr<std::optional<Identity>> identity_, log_identity_;
   bool meta_is_checked_ = false;
 };
 

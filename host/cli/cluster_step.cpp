@@ -240,10 +240,18 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
   progress.rows = static_cast<std::uint64_t>(results.rows());
   folder.write(progress);  // whatever Slurm says below
   if (missing.complete()) {
+    results.require_whole_file();
     complete(folder, settings, progress.rows, missing.seen, array_lives, progress);
     return out;
   }
   out.round = missing.round;
+  if (const std::string why = report->study().unplayable(); !why.empty()) {
+    progress.state = Progress::State::failed;
+    progress.message = why;
+    if (array_lives) end_jobs(folder, settings, progress);
+    folder.write(progress);
+    return out;
+  }
   if (restart) {
     progress.state = Progress::State::running;
     progress.message.clear();

@@ -121,6 +121,7 @@ int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& 
   const campaign::Finish finish = cluster::play_slice(study, known, *part, order);
   if (finish == campaign::Finish::interrupted)
     throw Interrupted("the task was ended; what it has played is kept", interruption.signal_number());
+  part->require_whole_file();
   return exit_done;
 }
 

@@ -119,6 +119,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   const auto began = std::chrono::steady_clock::now();
   const pid_t here = getpid();
   std::optional<campaign::StandardOutputKept> kept(std::in_place);
+  plugin::keep_orphans();
   const plugin::ProcessState before = plugin::ProcessState::now();
   std::string left;
   try {

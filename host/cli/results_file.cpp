@@ -130,7 +130,6 @@ campaign::Store read_results(const std::string& file) {
   return opening([&] {
     campaign::Store store(file, campaign::Store::Mode::read, REGISTA_VERSION);
     if (store.meta(schedule).empty()) throw BadInput(fmt::format("{}: holds no study yet", file));
-    remark_on(store);
     return store;
   });
 }
@@ -141,6 +140,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
   using campaign::Store;
   if (files.size() == 1) {
     store_ = std::make_unique<Store>(read_results(files.front()));
+    remark_on(*store_);
     return;
   }
   const std::string first = config::one_line(files.front());
@@ -153,6 +153,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
     store_ = std::make_unique<Store>(folder_->path() / "together.db", Store::Mode::create, REGISTA_VERSION);
     for (const std::string& each : files) {
       const Store part = read_results(each);
+      remark_on(part);
       const std::string name = config::one_line(each), plan = part.meta(schedule);
       if (store_->meta(schedule).empty()) {
         store_->set_meta(resolved_teams, part.meta(resolved_teams));

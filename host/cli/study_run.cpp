@@ -49,6 +49,7 @@ struct WhileLocked {
 };
 
 struct Playing {
+  const study::Study& study;
   const campaign::Options& options;
   const Invocation& invocation;
   StudyProgress& progress;
@@ -85,6 +86,7 @@ campaign::Schedule schedule_of(const study::Round& round, const Playing& playing
   out.take = [&round, &playing](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
     const bool more = round.take(index, decided);
     playing.progress.match(round, index, decided, fresh);
+    if (const std::string why = playing.study.unplayable(); fresh && !why.empty()) throw study::StudyError(why);
     return more;
   };
   out.metrics = metrics;
@@ -101,7 +103,7 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
   const std::string resume = resume_line(options, invocation);
   const auto to_go_on = [&resume](const char* why) { return fmt::format("{}; to go on: {}", why, resume); };
   const command::Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
-  const Playing playing{options, invocation, progress, interruption};
+  const Playing playing{study, options, invocation, progress, interruption};
   const study::PlayRound play = [&](const study::Round& round) {
     if (options.plays == campaign::Options::Plays::nothing_more) {
       if (!study::answer_from(store, round, study.metrics())) throw study::StudyError("a match is missing");

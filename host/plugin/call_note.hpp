@@ -29,8 +29,9 @@ struct CallAnswer;
 
 // How often calls are looked at closely: all that stands around their answers, and whether they wrote to their inputs.
 enum class Look : std::uint8_t {
-  seldom,  // at one decision in 127, and never at inputs
-  often,   // at one decision in 13, of another robot at each tick
+  seldom,   // at one decision in 127, and never at inputs
+  answers,  // at each decision, and never at inputs
+  often,    // at one decision in 13
   always,
 };
 

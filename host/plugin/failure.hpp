@@ -34,7 +34,7 @@ struct Caller {
   bool looks_closely() const {
     constexpr std::uint64_t seldom = 127, often = 13;
     if (noting.look == Look::seldom) return tick % seldom == 0;
-    return noting.look == Look::always || (tick + static_cast<std::uint64_t>(robot)) % often == 0;
+    return noting.look != Look::often || (tick + static_cast<std::uint64_t>(robot)) % often == 0;
   }
 
   // Notes for whom the next calls are, whichever plugin's.

@@ -74,6 +74,7 @@ bool of_heap(std::uintptr_t address) {
 struct Walk {
   FatalNote& note;
   std::uintptr_t last = 0;  // where the caller that was found last goes on
+  int left = 256;           // callers to be looked at: a damaged stack may have no end
 };
 
 // The nearest caller in a noted object, and whether the heap was at work on the way to it.
@@ -85,7 +86,7 @@ _Unwind_Reason_Code look_at_frame(_Unwind_Context* frame, void* raw) {
     return _URC_END_OF_STACK;
   }
   if (of_heap(walk.last)) walk.note.heap = 1;
-  return _URC_NO_REASON;
+  return --walk.left > 0 ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
 
 // Where no caller is found, as after a jump to where no code is, what looks like a return address mostly is one. The
@@ -122,8 +123,8 @@ void note_place(const Registers& at, FatalNote& note) {
 
 void strike(int signal_number, siginfo_t*, void* context) {
   if (FatalNote* const note = target.load(); note != nullptr && !noted.test_and_set()) {
-    note_place(registers_of(context), *note);
     note->signal = signal_number;
+    note_place(registers_of(context), *note);
   }
   std::signal(signal_number, SIG_DFL);
   raise(signal_number);  // delivered when this handler returns

@@ -53,7 +53,7 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
                    const regista_host* host, const Caller* caller)
     : rooms_(caller == nullptr ? nullptr : caller->rooms),
       caller_(caller),
-      compares_inputs_(caller != nullptr && caller->noting.look != Look::seldom),
+      compares_inputs_(caller != nullptr && caller->noting.look >= Look::often),
       plugin_(plugin),
       environment_(environment),
       noted_id_(note_of_id(plugin.descriptor->id)) {

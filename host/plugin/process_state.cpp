@@ -108,7 +108,7 @@ unsigned present_file_mode() {
 
 bool has_children_now() {
   siginfo_t none{};
-  return ::waitid(P_ALL, 0, &none, WEXITED | WNOHANG | WNOWAIT) == 0;
+  return ::waitid(P_ALL, 0, &none, WEXITED | WNOHANG | WNOWAIT | __WALL) == 0;
 }
 
 std::string signal_name(int number) {

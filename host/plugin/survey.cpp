@@ -12,7 +12,9 @@
 #include <array>
 #include <chrono>
 #include <cstring>
+#include <fstream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -58,8 +60,21 @@ int threads() {
   return count;
 }
 
+// Memory that copies of this process share and can write to.
+int shared_mappings() {
+  int count = 0;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line, range, rights; std::getline(maps, line);) {
+    std::istringstream(line) >> range >> rights;
+    if (rights.size() == 4 && rights[1] == 'w' && rights[3] == 's') ++count;
+  }
+  return count;
+}
+
 // What it may not leave behind when it has been opened; empty when it does not.
-std::string left_running(int threads_before) {
+std::string left_running(int threads_before, int mappings_before) {
+  // All robots of a match would share it, whose processes begin as copies of one that has opened the file.
+  if (shared_mappings() > mappings_before) return "maps memory that processes share when it is opened";
   // One that has been joined may still be listed for a moment.
   for (int i = 0; threads() > threads_before; ++i) {
     if (i == 20) return "starts a thread when it is opened";
@@ -82,8 +97,9 @@ int look(std::span<const fs::path> files, std::size_t first, int pipe) {
     frame(begun);
     put_frame(pipe, frame);
     process::limit_processor_time(1 + most_processor_seconds);
+    const int mappings_before = shared_mappings();
     const SharedObject object = open_shared_object(files[i]);
-    const std::string running = object.refusal.empty() ? left_running(threads_before) : "";
+    const std::string running = object.refusal.empty() ? left_running(threads_before, mappings_before) : "";
     const std::string refusal = running.empty() ? object.refusal : running;
     frame.clear();
     const std::string remark = object.remark;
@@ -146,10 +162,10 @@ class Looker {
   std::string why_not() {
     const process::ProcessEnd end = ended();
     if (!spoke_ && end.exited_with(process::Child::never_began))
-      throw std::system_error(std::make_error_code(std::errc::too_many_files_open),
+      throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again),
                               "no process can look at plugin files");
     hung_ = late_ || end.out_of_processor_time();
-    killed_ = !late_ && end.from_outside();
+    killed_ = !ended_by_us_ && end.from_outside();
     if (idle_) return fmt::format("slept for {:.0f} s when it was opened", most_idle_seconds);
     if (late_) return fmt::format("could not be opened within {:.0f} s", most_seconds);
     if (end.out_of_processor_time())
@@ -163,12 +179,14 @@ class Looker {
  private:
   // It may have closed the pipe and live on: then its exit is not asked for.
   process::ProcessEnd ended() {
+    ended_by_us_ = late_;
     if (late_) child_.kill();
     for (const auto deadline = Clock::now() + std::chrono::seconds(1); Clock::now() < deadline;) {
       const std::optional<process::ProcessEnd> end = child_.look();
       if (end && !end->was_stopped()) return *end;
       ::poll(nullptr, 0, 1);
     }
+    ended_by_us_ = true;
     child_.kill();
     return child_.wait();
   }
@@ -176,7 +194,7 @@ class Looker {
   process::Child child_;
   process::FileDescriptor pipe_;
   std::string said_;  // of it, what has not been taken yet
-  bool spoke_ = false, late_ = false, idle_ = false, hung_ = false, killed_ = false;
+  bool spoke_ = false, late_ = false, idle_ = false, hung_ = false, ended_by_us_ = false, killed_ = false;
 };
 
 Surveyed refused(const std::string& why) { return {{}, config::one_line(why), {}}; }

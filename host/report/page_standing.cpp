@@ -191,8 +191,7 @@ Html pairings_table(const PageSource& source) {
 }  // namespace
 
 Html standing_section(const PageSource& source) {
-  const study::Tournament& course = source.view.course;
-  if (source.view.plan.teams.size() == 2 && is_prevented(course, course.meetings().front())) return {};
+  if (is_without_verdict(source.view.plan, source.view.course)) return {};
   Html out = teams_table(source);
   if (source.view.plan.teams.size() == 2) {
     out << pairing_table(source);
@@ -204,8 +203,7 @@ Html standing_section(const PageSource& source) {
 }
 
 Html curves_section(const PageSource& source) {
-  const study::Tournament& course = source.view.course;
-  if (source.view.plan.teams.size() == 2 && is_prevented(course, course.meetings().front())) return {};
+  if (is_without_verdict(source.view.plan, source.view.course)) return {};
   const Html elo = figure(source, "elo"), llr = figure(source, "llr"), value = figure(source, "value");
   if (elo.empty() && llr.empty() && value.empty()) return {};
   Html out;

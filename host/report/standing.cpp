@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "statistics/bradley_terry.hpp"
 #include "statistics/multiplicity.hpp"
@@ -18,9 +17,15 @@ double points(const statistics::GameCounts& games) {
 }
 
 bool is_prevented(const study::Tournament& course, const study::Meeting& meeting) {
-  if (meeting.unplayed_pairs == 0) return false;
+  if (meeting.unplayed_pairs == 0 || !course.complete()) return false;
   if (course.verdict() != study::Verdict::none) return course.verdict() == study::Verdict::prevented;
   return p_values(course).prevented[static_cast<std::size_t>(&meeting - course.meetings().data())];
+}
+
+bool is_without_verdict(const study::TournamentPlan& plan, const study::Tournament& course) {
+  if (plan.teams.size() == 2) return is_prevented(course, course.meetings().front());
+  if (plan.format != study::Format::round_robin || !course.complete()) return false;
+  return !leads_either_way(plan, course, ranking(plan, course).front().team);
 }
 
 std::optional<Strength> strength(const study::Tournament& course, const study::Meeting& meeting) {
@@ -173,10 +178,6 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
     if (x.elo && y.elo && x.elo->value != y.elo->value) return x.elo->value > y.elo->value;
     return share(x) > share(y);
   });
-  if (!leads_either_way(plan, course, out.front().team)) {
-    for (Ranked& team : out) team.elo.reset();
-    std::ranges::stable_sort(out, std::greater(), share);
-  }
   return out;
 }
 

@@ -28,8 +28,10 @@ struct Strength {
   std::optional<statistics::PairedT> goals_t;      // goal difference of a match; for a fixed number of pairs
 };
 std::optional<Strength> strength(const study::Tournament& course, const study::Meeting& meeting);
-// Whether that is so: some way to count those pairs makes a finding, but not all do.
+// Whether that is so, at the end: some way to count those pairs makes a finding, but not all do.
 bool is_prevented(const study::Tournament& course, const study::Meeting& meeting);
+// Whether the headline is that there is no verdict: then no table stands beside it.
+bool is_without_verdict(const study::TournamentPlan& plan, const study::Tournament& course);
 
 struct Ranked {
   std::size_t team = 0;

@@ -259,7 +259,7 @@ std::string title(const TournamentView& view) {
 }
 
 std::string standing_text(const TournamentView& view) {
-  if (view.plan.teams.size() == 2 && is_prevented(view.course, view.course.meetings().front())) return {};
+  if (is_without_verdict(view.plan, view.course)) return {};
   return view.plan.teams.size() == 2 ? meeting_text(view, view.course.meetings().front()) : ranking_text(view);
 }
 
@@ -274,7 +274,7 @@ std::string tournament_text(const TournamentView& view) {
     }
   }
   out += standing_text(view);
-  if (view.plan.teams.size() > 2) out += pairings_text(view);
+  if (view.plan.teams.size() > 2 && !is_without_verdict(view.plan, view.course)) out += pairings_text(view);
   out += packets_text(view);
   if (!view.plan.pairs_before.empty()) out += more_pairs_sentence(view.plan.pairs_before) + '\n';
   if (const std::uint64_t unplayed = view.course.unplayed_pairs(); unplayed > 0) {

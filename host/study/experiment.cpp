@@ -66,8 +66,8 @@ void Experiment::take(const campaign::Decided& decided) {
   remarks_.take(next_, decided);
   if (decided.set_aside()) {
     // There is nothing to be counted.
-    require_playable(++set_aside_[trial.condition], plan_.limits,
-                     plan_.arms[plan_.conditions[trial.condition].arm].name, decided.why_set_aside);
+    if (++set_aside_[trial.condition] == most_set_aside && unplayable_.empty())
+      unplayable_ = why_unplayable(plan_.arms[plan_.conditions[trial.condition].arm].name, decided.why_set_aside);
   } else if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
     forfeits_.add(own ? trial.condition : plan_.conditions.size(), *decided.failure, next_);

@@ -28,6 +28,7 @@ class Experiment final : public Study {
   explicit Experiment(const ExperimentPlan& plan);
 
   const char* what() const override { return "experiment"; }
+  std::string unplayable() const override { return unplayable_; }
   std::uint64_t most_matches() const override { return plan_.matches(); }
   std::uint64_t counted() const override { return next_; }
   campaign::Metrics metrics() const override { return campaign::Metrics::wanted; }
@@ -80,6 +81,7 @@ class Experiment final : public Study {
   bool at_home_unplayed_ = false;
   std::vector<std::vector<bool>> unplayed_;  // by condition, then pair
   std::vector<std::uint64_t> set_aside_;     // matches, by condition
+  std::string unplayable_;
   ForfeitList forfeits_;
   MatchRemarks remarks_;
   std::uint64_t next_ = 0;

@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include "study/study.hpp"
-
 namespace regista::study {
 
 void RemarkList::add(std::uint64_t match, const std::string& text) {
@@ -12,11 +10,8 @@ void RemarkList::add(std::uint64_t match, const std::string& text) {
   if (listed_.size() < most_listed) listed_.push_back({match, text});
 }
 
-void require_playable(std::uint64_t set_aside, const campaign::Limits& limits, const std::string& who,
-                      const std::string& why) {
-  if (set_aside < limits.most_set_aside) return;
-  throw StudyError(
-      fmt::format("{}: {} matches could not be played, and no team can be blamed: {}", who, set_aside, why));
+std::string why_unplayable(const std::string& who, const std::string& last) {
+  return fmt::format("{}: {} matches could not be played, and no team can be blamed: {}", who, most_set_aside, last);
 }
 
 void MatchRemarks::take(std::uint64_t match, const campaign::Decided& decided) {

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/limits.hpp"
 
 namespace regista::study {
 
@@ -36,10 +35,10 @@ class RemarkList {
   std::uint64_t count_ = 0;
 };
 
-// Ends a study that cannot find anything, by the limit on matches of one pairing that were set aside. who: "a against
-// b"; why: of the last of them. Throws StudyError.
-void require_playable(std::uint64_t set_aside, const campaign::Limits& limits, const std::string& who,
-                      const std::string& why);
+// So many matches of one pairing that died without anybody to blame end a study.
+inline constexpr std::uint64_t most_set_aside = 3;
+// Why. who: "a against b"; last: what ended the last of them.
+std::string why_unplayable(const std::string& who, const std::string& last);
 
 class MatchRemarks {
  public:

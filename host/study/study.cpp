@@ -56,15 +56,10 @@ void require_planned(const campaign::Store& store, const Round& round) {
     if (!place) return std::nullopt;
     return campaign::MatchKey{numbers[place->fixture], place->seed};
   };
-  // Mostly it is at its place; a study that got more pairs asks for it at another one.
-  std::vector<campaign::MatchKey> all;
+  // At a place that is not wanted any more one may have been played ahead.
   const auto planned = [&](std::int64_t row, const campaign::MatchKey& key) {
     const auto here = key_at(static_cast<std::uint64_t>(row) - 1 - round.first_row);
-    if (!here || *here == key) return true;
-    for (std::uint64_t index = 0; all.empty() && index < round.matches; ++index) {
-      if (const auto each = key_at(index)) all.push_back(*each);
-    }
-    return std::ranges::find(all, key) != all.end();
+    return !here || *here == key;
   };
   const auto from = static_cast<std::int64_t>(round.first_row);
   store.require_planned(from + 1, from + static_cast<std::int64_t>(round.matches), planned);

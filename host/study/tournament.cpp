@@ -141,10 +141,10 @@ std::uint64_t Tournament::unplayed_pairs() const {
 
 void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::Decided& decided) {
   const bool first_at_home = !fixture.swapped;
-  if (decided.set_aside()) {
+  if (decided.set_aside() && ++meeting.set_aside == most_set_aside && unplayable_.empty()) {
     const auto label = [this](std::size_t team) { return plan_.teams[team].label; };
-    require_playable(++meeting.set_aside, plan_.limits,
-                     label(meeting.pairing.first) + " against " + label(meeting.pairing.second), decided.why_set_aside);
+    unplayable_ = why_unplayable(label(meeting.pairing.first) + " against " + label(meeting.pairing.second),
+                                 decided.why_set_aside);
   }
   if (first_at_home) {
     before_pair_ = {
@@ -250,8 +250,11 @@ void Tournament::count_row(const Fixture& fixture, const campaign::Decided& deci
     if (!decided.failure) {
       row = {};
     } else if (decided.failure->side == side) {
-      row.failures = row.plugin == decided.failure->plugin ? row.failures + 1 : 1;
-      row.plugin = decided.failure->plugin;
+      // One whose plugin is not known may be any one's.
+      const std::string& plugin = decided.failure->plugin;
+      const bool same = row.plugin == plugin || row.plugin.empty() || plugin.empty();
+      row.plugin = row.failures == 0 || !same || row.plugin == plugin ? plugin : "";
+      row.failures = same ? row.failures + 1 : 1;
     }  // else the others forfeited: this team was not put to the test
   }
 }

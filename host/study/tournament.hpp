@@ -68,6 +68,7 @@ class Tournament final : public Study {
   explicit Tournament(const TournamentPlan& plan);
 
   const char* what() const override { return "tournament"; }
+  std::string unplayable() const override { return unplayable_; }
   std::uint64_t most_matches() const override { return calendar_.matches(); }
   std::uint64_t counted() const override { return matches(); }
   campaign::Metrics metrics() const override;
@@ -133,6 +134,7 @@ class Tournament final : public Study {
   std::optional<campaign::Decided> first_of_pair_;
   BeforePair before_pair_;
   ForfeitList forfeits_;
+  std::string unplayable_;
   MatchRemarks remarks_;
   PacketsOfShortGames short_games_;
   std::vector<PacketsSpent> packets_;  // by team

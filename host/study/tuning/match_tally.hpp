@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 
 #include "study/forfeits.hpp"
 #include "study/match_remarks.hpp"
@@ -22,6 +23,12 @@ struct MatchTally {
   MatchRemarks remarks;              // of matches as they were asked for, from 0
   std::uint64_t unplayed_pairs = 0;  // of any values; a match of them could not be played
   std::uint64_t matches = 0;         // asked for so far
+
+  // See Study. All matches count as one pairing: the tuned team is in each of them.
+  std::string unplayable() const {
+    if (remarks.unplayed().count() < most_set_aside) return {};
+    return why_unplayable("the tuned team", remarks.unplayed().listed().back().text);
+  }
 };
 
 // What every stage asks its matches of. All outlive it.

@@ -85,10 +85,7 @@ bool PairBatch::take(const campaign::Decided& decided, ForfeitList& forfeits, Ma
   const std::size_t side = next_ % 2, opponent = next_ / 2 % opponents_.size(),
                     candidate = next_ / 2 / opponents_.size() % scores_.size();
   remarks.take(list_.first_row + next_, decided);
-  if (decided.set_aside()) {
-    broken_ = true;
-    require_playable(remarks.unplayed().count(), plan_.limits, "the tuned team", decided.why_set_aside);
-  }
+  if (decided.set_aside()) broken_ = true;
   if (!decided.metrics.empty()) {
     if (const auto packets = short_games_.of(decided.metrics)) packets_[candidate].add((*packets)[side]);
   }

@@ -46,6 +46,7 @@ class SearchComparison final : public Study {
   explicit SearchComparison(const SearchComparisonPlan& plan) : plan_(plan), record_(plan) {}
 
   const char* what() const override { return "comparison of search algorithms"; }
+  std::string unplayable() const override { return record_.tally.unplayable(); }
   std::uint64_t most_matches() const override { return study::most_matches(plan_); }
   std::uint64_t counted() const override { return counted_; }
   campaign::Metrics metrics() const override { return wanted_metrics(plan_.tuning); }

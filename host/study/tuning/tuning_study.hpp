@@ -17,6 +17,7 @@ class TuningStudy final : public Study {
   TuningStudy(const TuningPlan& plan, OutOfTime out_of_time);
 
   const char* what() const override { return "tuning"; }
+  std::string unplayable() const override { return record_.tally.unplayable(); }
   std::uint64_t most_matches() const override { return study::most_matches(plan_); }
   std::uint64_t counted() const override { return counted_; }
   campaign::Metrics metrics() const override { return wanted_metrics(plan_); }

@@ -39,7 +39,6 @@ struct Course {
       plan.teams.push_back({label, label + ".yaml", {{"team", "hash of " + label}}});
     }
     plan.pairs = pairs;
-    plan.limits.most_set_aside = 1'000'000;  // what so many mean is asked here, not whether it goes on
     plan.objective = std::move(objective);
     plan.most_goals = 10;
     tournament.emplace(plan);

@@ -42,7 +42,6 @@ inline study::TuningPlan tuning_plan() {
   plan.base = against("base", 1.0);
   plan.objective = {{{"goal_difference", 1.0}}, false};
   plan.most_goals = 10;
-  plan.limits.most_set_aside = 1'000'000;  // what so many mean is asked here, not whether it goes on
   plan.seed = 3;
   plan.algorithm = study::Algorithm::spsa;
   plan.search_pairs = 60;

@@ -40,7 +40,6 @@ inline ExperimentPlan experiment_of(std::size_t arms, std::size_t values, std::u
     }
   }
   plan.pairs = pairs;
-  plan.limits.most_set_aside = 1'000'000;  // what so many mean is asked here, not whether it goes on
   plan.first_seed = 7;
   plan.measures = {"striker.overlap_seconds", "packets", "goals", "points"};
   plan.primary = "striker.overlap_seconds";

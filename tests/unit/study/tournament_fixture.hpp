@@ -18,7 +18,6 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, Objective 
     plan.teams.push_back({"team " + number, number + ".yaml", {{"team " + number + ".yaml", "hash " + number}}});
   }
   plan.pairs = pairs;
-  plan.limits.most_set_aside = 1'000'000;  // what so many mean is asked here, not whether it goes on
   plan.objective = std::move(objective);
   plan.most_goals = 10;
   plan.common_inputs = {{"program", "1"}, {"rules spl2023", "2"}};

@@ -57,7 +57,6 @@ inline TuningPlan tuning_of(std::size_t parameters, std::size_t opponents,
   plan.base = against("the base team", 1.0);
   plan.objective.terms = {{"goal_difference", 1.0}};
   plan.most_goals = 10;
-  plan.limits.most_set_aside = 1'000'000;  // what so many mean is asked here, not whether it goes on
   plan.seed = 7;
   plan.algorithm = algorithm;
   plan.search_pairs = 40;
