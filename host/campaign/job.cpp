@@ -139,7 +139,8 @@ Job job_from_json(const std::string& text) {
     job.expects_failure = json.value("expects_failure", false);
     if (json.contains("separation")) job.separation = static_cast<Separation>(whole_number(json.at("separation"), 2));
     job.elsewhere = json.value("elsewhere", false);
-    if (json.contains("look")) job.look = static_cast<plugin::Look>(whole_number(json.at("look"), 2));
+    if (json.contains("look"))
+      job.look = static_cast<plugin::Look>(whole_number(json.at("look"), static_cast<int>(plugin::Look::always)));
     job.hides = json.value("hides", false);
     job.trail = json.value("trail", false);
     job.root = json.value("root", "");

@@ -82,7 +82,8 @@ void MatchRun::start(Stage stage) {
   const bool accounts = stage == Stage::isolated && first_;
   job.hides = stage == Stage::second || stage == Stage::traced_hiding || accounts;
   if (stage == Stage::second) job.look = plugin::Look::often;
-  if (stage == Stage::isolated) job.look = plugin::Look::answers;
+  const bool judges = stage == Stage::isolated || (stage == Stage::first && limits_.isolation == Isolation::always);
+  if (judges) job.look = plugin::Look::answers;
   if (accounts || job.trail) job.look = plugin::Look::always;
   if (stage != Stage::first || job.is_apart()) job.record.clear();
   if (stage == Stage::recording) {

@@ -96,7 +96,7 @@ std::vector<std::string> changed_variables(const ProcessState& before, const Pro
   out.insert(out.end(), fresh.begin(), fresh.end());
   for (std::string& each : out) each.resize(std::min(each.find('='), each.size()));
   std::ranges::sort(out);
-  out.erase(std::ranges::unique(out).begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

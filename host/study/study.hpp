@@ -47,7 +47,7 @@ class Study {
   virtual ~Study() = default;
 
   // Why it can find nothing any more, though it is not at its end; mostly empty.
-  virtual std::string unplayable() const = 0;
+  virtual std::string unplayable() const { return {}; }
   virtual const char* what() const = 0;                // "tournament", for messages
   virtual std::uint64_t most_matches() const = 0;      // of all rounds
   virtual std::uint64_t counted() const = 0;           // matches that were taken and count

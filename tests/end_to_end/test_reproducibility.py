@@ -50,7 +50,7 @@ class Reproducibility(tournament.Tournament):
         self.assertEqual(found["matches"], 1)
 
     def test_though_the_second_play_is_killed(self):
-        self.found("asks_for_the_process_and_is_killed", accident="regista: a worker died (plugin ")
+        self.found("asks_for_the_process_and_is_killed", accident="regista: a worker died (a plugin of the home team: Killed)")
 
     def test_the_working_folder(self):
         text, found = self.played(plugin="asks_for_the_folder")

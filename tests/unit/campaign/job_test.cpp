@@ -29,6 +29,12 @@ TEST(Job, SurvivesTheWayToAWorker) {
   const std::string line = to_json(some_job());
   EXPECT_EQ(line.find('\n'), std::string::npos);
   EXPECT_EQ(job_from_json(line), some_job());
+  using enum plugin::Look;
+  for (const plugin::Look each : {seldom, answers, often, always}) {
+    Job job = some_job();
+    job.look = each;
+    EXPECT_EQ(job_from_json(to_json(job)).look, each);
+  }
 }
 
 // What is asked for and what a worker plays are the same match.
