@@ -12,6 +12,7 @@ LATE = "could not be opened within 10 s"
 REASONS = {
     "crash": "died when it was opened: Segmentation fault",
     "leave": "ended the process when it was opened (exit code 0)",
+    "share_memory": "maps memory that processes share when it is opened",
     "sleep_on": "slept for 2 s when it was opened",
     "spin": "used more than 2 s of processor time when it was opened",
     "start_a_thread": "starts a thread when it is opened",

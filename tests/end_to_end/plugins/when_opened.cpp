@@ -4,6 +4,7 @@
 #if defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -38,6 +39,11 @@ namespace {
 }
 
 [[maybe_unused]] void start_a_thread() { std::thread(sleep_on).detach(); }
+
+[[maybe_unused]] void share_memory() {
+  void* volatile shared = ::mmap(nullptr, 4096, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  (void)shared;
+}
 
 // What start-up code of -ffast-math does.
 [[maybe_unused]] void flush_small_numbers() {
