@@ -8,7 +8,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -51,10 +50,7 @@ class Engine {
       const Finish out = play();
       store_.settle();
       return out;
-    } catch (const CampaignError&) {
-      keep_what_waits();
-      throw;
-    } catch (const std::system_error&) {
+    } catch (...) {
       keep_what_waits();
       throw;
     }
