@@ -50,7 +50,8 @@ class Reproducibility(tournament.Tournament):
         self.assertEqual(found["matches"], 1)
 
     def test_though_the_second_play_is_killed(self):
-        self.found("asks_for_the_process_and_is_killed", accident="regista: a worker died (a plugin of the home team: Killed)")
+        who = "plugin " if program.SANITIZED else "a plugin of the home team: Killed)"
+        self.found("asks_for_the_process_and_is_killed", accident=f"regista: a worker died ({who}")
 
     def test_the_working_folder(self):
         text, found = self.played(plugin="asks_for_the_folder")
