@@ -195,10 +195,8 @@ class IsolatedMatch {
       // Below half of what it may have, it is the machine that has no more.
       const bool of_the_machine =
           limits_.memory == 0 || process::address_space_of(asked.process.process()) < limits_.memory / 2;
-      Failure failure = noted(asked, "no memory is left");
-      failure.plugin.clear();  // who has taken it is not known
-      failure.call.clear();
-      throw Fault(failure, of_the_machine);
+      // Which plugin has taken it is not known.
+      throw Fault(of_the_team(noted(asked, "no memory is left")), of_the_machine);
     }
     const auto bytes = asked.channel.bytes();
     Failure failure;
@@ -267,10 +265,14 @@ class IsolatedMatch {
         std::ranges::find_if(parts, [&](const mind::Part* each) { return each->found->descriptor->id == out.plugin; });
     const bool own = note.call.inside == 1 && called != parts.end() &&
                      plugin::ended_in(note.fatal, (*called)->found->file.filename().string());
-    if (own) return out;
-    out.plugin.clear();
-    out.call.clear();
-    return out;
+    return own ? out : of_the_team(out);
+  }
+
+  // Without a plugin to blame.
+  static Failure of_the_team(Failure failure) {
+    failure.plugin.clear();
+    failure.call.clear();
+    return failure;
   }
 
   // A failure of the call that was under way last, or that is.

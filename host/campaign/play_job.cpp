@@ -113,7 +113,7 @@ void change_environment() {
   for (const std::string& each : names) ::unsetenv(each.c_str());
   ::setenv("HOME", "/", 1);
   ::setenv("LANG", "C", 1);
-  ::setenv("TZ", "XXX-7:23", 1);
+  ::setenv("TZ", "<+0723>-7:23", 1);
 }
 
 // To another place and time: nothing that a match may depend on is there.

@@ -312,7 +312,7 @@ void Store::require_planned(std::int64_t from, std::int64_t to, const Planned& p
   guarded(*parts_, [&] {
     parts_->begin_reading();
     const auto stray = parts_->matches.first_not_planned(from, to, planned);
-    if (stray) throw DamagedRow(*stray, "it is none of those that the study planned");
+    if (stray) throw DamagedRow(*stray, "the study did not plan it");
   });
 }
 

@@ -77,7 +77,7 @@ class Store {
 
   // The match of a key. `row`: where it is looked for first.
   std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;
-  // Also refuses a key that there is already, and a row that is taken. attempts: workers it took. Where another program
+  // Refuses a key that is stored already, and a row that is taken. attempts: workers it took. Where another program
   // holds the lock the match waits in memory, in which find() sees it, until write_waiting() or settle().
   void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
   // Tries to write what waits. False: something still does.

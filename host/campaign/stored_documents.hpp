@@ -33,7 +33,7 @@ class StoredDocuments {
   // In a database that outlives this. All throw SQLite::Exception.
   explicit StoredDocuments(SQLite::Database& database) : database_(database) {}
 
-  // Within a transaction. Instead of those that there are: a study that was killed before its first match begins anew.
+  // Within a transaction. Replaces what is stored: a study that was killed before its first match begins anew.
   void keep(std::span<const Document> documents);
   // By path; none where the file was made by a program that kept none. Throws std::invalid_argument when one is
   // damaged.

@@ -30,7 +30,7 @@ struct Strength {
 std::optional<Strength> strength(const study::Tournament& course, const study::Meeting& meeting);
 // Whether that is so, at the end: some way to count those pairs makes a finding, but not all do.
 bool is_prevented(const study::Tournament& course, const study::Meeting& meeting);
-// Whether the headline is that there is no verdict: then no table stands beside it.
+// Whether the headline is "No verdict": then no table follows.
 bool is_without_verdict(const study::TournamentPlan& plan, const study::Tournament& course);
 
 struct Ranked {

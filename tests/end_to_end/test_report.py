@@ -206,9 +206,9 @@ class Report(tournament.Tournament):
         for statement, line, mend in (
                 (fewer, "the checksum of the plan of its study does not fit", False),
                 # Written by somebody who knows the checksum, or in a file of an older program.
-                (fewer, "match 7: it is none of those that the study planned", True),
+                (fewer, "match 7: the study did not plan it", True),
                 ("UPDATE meta SET value = replace(value, '\"first_seed\":1', '\"first_seed\":2') WHERE name = 'schedule'",
-                 "match 1: it is none of those that the study planned", True),
+                 "match 1: the study did not plan it", True),
                 ("UPDATE matches SET row = 100 WHERE row = 8", "match 100: ", True),
                 ("UPDATE meta SET value = '[]' WHERE name = 'documents'",
                  "the checksum of the teams' documents does not fit", False)):

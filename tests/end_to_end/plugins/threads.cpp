@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Contexts that are long done with their calls when a thread or a timer that they started does harm, in whoever's call
-// that is; and one that damages the heap, as which everybody's call may be the one to die.
+// Contexts that are long done with their calls when a thread or a timer that they started does harm, in the call of
+// another plugin; and one that damages the heap, as which everybody's call may be the one to die.
 #include <sys/time.h>
 
 #include <chrono>

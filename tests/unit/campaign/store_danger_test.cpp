@@ -155,7 +155,7 @@ TEST_F(StoreDangerTest, AMatchThatNobodyPlannedIsNamed) {
     store.require_planned(1, 7, planned);
     FAIL();
   } catch (const StoreDamaged& error) {
-    EXPECT_THAT(error.what(), HasSubstr("match 7: it is none of those that the study planned"));
+    EXPECT_THAT(error.what(), HasSubstr("match 7: the study did not plan it"));
   }
 }
 
