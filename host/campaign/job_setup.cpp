@@ -19,7 +19,7 @@ MatchRequest request_of(const Job& job) {
   request.disturbance = job.disturbance;
   request.home_disturbance = job.home_disturbance;
   request.away_disturbance = job.away_disturbance;
-  request.overrides = job.overrides;
+  request.overrides = config::typed_overrides(job.overrides);
   request.seed = std::to_string(job.seed);
   request.opening = job.opening;
   request.limit = job.limit;
@@ -34,7 +34,7 @@ Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins)
   job.disturbance = request.disturbance;
   job.home_disturbance = request.home_disturbance;
   job.away_disturbance = request.away_disturbance;
-  job.overrides = request.overrides;
+  for (const config::Override& each : request.overrides) job.overrides.push_back(to_string(each));
   job.plugins = plugins;
   job.opening = request.opening;
   job.limit = request.limit;

@@ -59,27 +59,38 @@ std::optional<config::Opening> opening_of(const MatchRequest& request, const Sor
   const std::string name(config::name_of(config::DocumentKind::opening));
   if (request.opening.empty()) {
     if (overrides.of(name).empty()) return std::nullopt;
-    throw config::BadInput(
-        fmt::format("--set {}.{}: there is no opening; --opening FILE names one", name, overrides.of(name).front()));
+    throw config::Error(overrides.of(name).front().where, "there is no opening; --opening FILE names one");
   }
-  return overrides.read(name, [&](const config::Overrides& of_this) {
-    const config::Node document = config::load(request.opening, of_this);
-    config::Opening opening = config::read_opening(document);
-    if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
-      config::refuse(document, {misfit->path}, misfit->reason);
-    }
-    return opening;
-  });
+  const config::Node document = config::load(request.opening, overrides.of(name));
+  config::Opening opening = config::read_opening(document);
+  if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
+    config::refuse(document, {misfit->path}, misfit->reason);
+  }
+  return opening;
 }
 
 config::Disturbance disturbance_of(const std::string& file, const SortedOverrides& overrides, match::Side side,
                                    const config::Rules& rules) {
-  return overrides.read(std::string(match::name(side)) + "_disturbance", [&](const config::Overrides& of_this) {
-    const config::Node document = profile(config::DocumentKind::disturbance, config::Disturbance{}.name, file, of_this);
-    config::Disturbance disturbance = config::read_disturbance(document);
-    config::check(disturbance, rules, document);
-    return disturbance;
-  });
+  const config::Node document = profile(config::DocumentKind::disturbance, config::Disturbance{}.name, file,
+                                        overrides.of(std::string(match::name(side)) + "_disturbance"));
+  config::Disturbance disturbance = config::read_disturbance(document);
+  config::check(disturbance, rules, document);
+  return disturbance;
+}
+
+// A path for both teams may be wrong for one of them.
+TeamSetup team_of(const ReadTeam& read_team, const MatchRequest& request, const SortedOverrides& overrides,
+                  match::Side side, const config::Rules& rules, const config::Robot& robot) {
+  const std::string name = match::name(side);
+  try {
+    return read_team(request.teams[match::index(side)], overrides.of(name), rules, robot);
+  } catch (const config::Error& error) {
+    const auto is_blamed = [&](const config::Override& each) {
+      return each.where.line == 0 && each.where == error.where() && !each.path.starts_with(name + '.');
+    };
+    if (std::ranges::none_of(request.overrides, is_blamed)) throw;
+    throw config::Error(error.where(), name + " team: " + error.message());
+  }
 }
 
 }  // namespace
@@ -118,18 +129,13 @@ MatchSetup match_setup(const MatchRequest& request, const ReadTeam& read_team) {
 
   using config::DocumentKind;
   const SortedOverrides overrides(request.overrides);
-  const auto read = [&](DocumentKind kind, const std::string& name, const std::string& file, auto reader) {
-    return overrides.read(config::name_of(kind),
-                          [&](const config::Overrides& of_this) { return reader(profile(kind, name, file, of_this)); });
+  const auto document = [&](DocumentKind kind, const std::string& name, const std::string& file) {
+    return profile(kind, name, file, overrides.of(config::name_of(kind)));
   };
-  using config::Node;
-  out.setup.rules = read(DocumentKind::rules, config::Rules{}.name, request.rules,
-                         [](const Node& document) { return config::read_rules(document); });
-  const config::Robot robot = read(DocumentKind::robot, config::Robot{}.name, request.robot, [&](const Node& document) {
-    config::Robot profile = config::read_robot(document);
-    config::check(profile, out.setup.rules, document);
-    return profile;
-  });
+  out.setup.rules = config::read_rules(document(DocumentKind::rules, config::Rules{}.name, request.rules));
+  const config::Node of_robot = document(DocumentKind::robot, config::Robot{}.name, request.robot);
+  const config::Robot robot = config::read_robot(of_robot);
+  config::check(robot, out.setup.rules, of_robot);
   out.setup.robots = {robot, robot};
   for (const match::Side side : match::both_sides) {
     const std::string& own = side == match::Side::home ? request.home_disturbance : request.away_disturbance;
@@ -140,9 +146,7 @@ MatchSetup match_setup(const MatchRequest& request, const ReadTeam& read_team) {
   config::fit_packets(out.setup.rules, match::limit_of(out.setup), out.setup.opening.has_value());
 
   for (const match::Side side : match::both_sides) {
-    TeamSetup team = overrides.read(match::name(side), [&](const config::Overrides& of_this) {
-      return read_team(request.teams[match::index(side)], of_this, out.setup.rules, robot);
-    });
+    TeamSetup team = team_of(read_team, request, overrides, side, out.setup.rules, robot);
     for (config::Warning& each : team.warnings) {
       const auto same = [&](const config::Warning& other) { return to_string(other) == to_string(each); };
       if (std::ranges::none_of(out.warnings, same)) out.warnings.push_back(std::move(each));

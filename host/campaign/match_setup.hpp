@@ -26,9 +26,9 @@ struct MatchRequest {
   std::string rules, robot, disturbance;  // files; empty: the built-in values
   // Files, home and away: what disturbs one of them, in the place of `disturbance`; empty: that one.
   std::string home_disturbance, away_disturbance;
-  std::string opening;                 // file; empty: the match starts from kick-off
-  std::vector<std::string> overrides;  // of --set
-  std::string seed = "1", limit;       // as typed; no limit: empty
+  std::string opening;            // file; empty: the match starts from kick-off
+  config::Overrides overrides;    // of --set
+  std::string seed = "1", limit;  // as typed; no limit: empty
 };
 
 // A team as a match has it.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What everything that plays many matches can be asked for, whatever they are for. Values as they were typed.
+// How the matches of a study are played, and where they are kept: what is no part of what is asked, so that it may be
+// another each time. Values as they were typed.
 #pragma once
 
 #include <cstdint>
@@ -7,16 +8,15 @@
 #include <vector>
 
 #include "campaign/limits.hpp"
-#include "config/isolation.hpp"
+#include "config/match_settings.hpp"
 
 namespace regista::campaign {
 
 struct Options {
   std::vector<std::string> plugins;   // folders
   std::string workers, record_every;  // empty: one for each processor core; only matches that fail
-  std::string results, processor_seconds = "10", memory = "2048";
-  std::string isolation, wall_seconds, match_seconds = "1800";  // isolation empty: as the study's document says
-  bool resume = false, json = false, quiet = false, no_page = false, play_once = false;
+  std::string results;
+  bool resume = false, json = false, quiet = false, no_page = false;
   // Not typed: what is not in the file of results is played; nothing is, but the file made; or nothing is, for all is
   // there.
   enum class Plays { what_is_missing, nothing_yet, nothing_more } plays = Plays::what_is_missing;
@@ -29,8 +29,8 @@ void check(const Options& options);
 // All throw BadInput.
 int number_of_workers(const Options& options);
 std::uint64_t record_every(const Options& options);  // 0: none but those that fail
-// What the study's document says may be overruled by an option.
-Limits limits_of(const Options& options, config::Isolation isolation = config::Isolation::after_death,
-                 bool play_twice = true, bool allow_shared_memory = false);
+
+// As a study's document has them.
+Limits limits_of(const config::MatchSettings& settings);
 
 }  // namespace regista::campaign

@@ -14,29 +14,16 @@ namespace regista::campaign {
 
 class SortedOverrides {
  public:
-  explicit SortedOverrides(const std::vector<std::string>& all);
+  explicit SortedOverrides(const config::Overrides& all);
 
   // Those for one document ("home", "rules", "home_disturbance", ...), as it understands them.
   const config::Overrides& of(std::string_view document) const;
 
-  // Calls read(overrides of the document). An error that stands at one of them names the path as it was typed.
-  template <class Read>
-  auto read(std::string_view document, Read read) const {
-    try {
-      return read(of(document));
-    } catch (const config::Error& error) {
-      throw as_typed(document, error);
-    }
-  }
-
  private:
   struct Document {
     std::string_view name;
-    config::Overrides overrides, typed;  // with the same indices
+    config::Overrides overrides;
   };
-  const Document& find(std::string_view document) const;
-  config::Error as_typed(std::string_view document, const config::Error& error) const;
-
   std::vector<Document> documents_;
 };
 

@@ -119,7 +119,8 @@ PreparedTeams::Match PreparedTeams::prepare(const Job& job) {
                                                const config::Rules& rules, const config::Robot& robot) {
     if (shared.empty())
       shared = fmt::format("{}\n{}\n{}\n{}", job.root, fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
-    const std::string key = fmt::format("{}\n{}\n{}", shared, file, fmt::join(overrides, "\n"));
+    std::string key = fmt::format("{}\n{}", shared, file);
+    for (const config::Override& each : overrides) key += '\n' + to_string(each);
     const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue, job.root);
     inputs.push_back(team.inputs);
     return team.setup;

@@ -106,7 +106,7 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   if (options.no_ball && !options.balls.empty()) throw BadInput("--no-ball and --ball: one of them");
   if (!options.context.empty() && !options.list.empty()) throw BadInput("--context and --list: one of them");
   if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");
-  const config::Node document = config::load(options.files.front(), options.overrides);
+  const config::Node document = config::load(options.files.front(), config::typed_overrides(options.overrides));
   config::require_kind(document, config::DocumentKind::team);
   const config::TeamPage page = config::read_team_page(document);
   const config::Rules rules = options.rules.empty() ? config::Rules{} : config::read_rules(options.rules);

@@ -33,7 +33,7 @@ int show(const ConfigShowOptions& options, const Invocation& invocation) {
   if (options.files.size() != 1) {
     throw BadInput(fmt::format("config show: expected one file, {} given", options.files.size()));
   }
-  const config::Node document = config::load(options.files.front(), options.overrides);
+  const config::Node document = config::load(options.files.front(), config::typed_overrides(options.overrides));
   output::print(config::show(document, declarations_for(document, options, invocation)));
   return exit_done;
 }

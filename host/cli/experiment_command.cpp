@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `regista experiment`: what a difference between teams does to numbers of their matches, against one common opponent,
 // seed by seed.
+#include <array>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -44,11 +45,13 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
     throw BadInput("--force: belongs to --csv and --summary, which are not given");
   }
   if (options.file.empty()) throw BadInput("experiment: which one? Name its file; see: regista experiment --help");
+  const config::Node document = config::requested(options.asked(), config::DocumentKind::experiment);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::ExperimentPlan plan = study::planned_experiment(options, catalogue);
+  study::ExperimentPlan plan = study::planned_experiment(document, options.plugins, catalogue);
+  plan.program = REGISTA_VERSION;
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = plan.name + ".db";
+  if (options.results.empty()) options.results = plan.asked.name + ".db";
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
@@ -77,13 +80,18 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
 }
 
 void add_experiment(Command& parent, const Invocation& invocation) {
+  static constexpr std::array own{
+      DocumentOption{"--minutes", "minutes", DocumentOption::Form::value, "matches"},
+      DocumentOption{"--matches", "matches", DocumentOption::Form::value, "minutes"},
+      DocumentOption{"--opponent-disturbance", "opponent_disturbance"},
+  };
   Command& command = parent.add("experiment", "compare arms in numbers of their matches");
   const auto options = std::make_shared<ExperimentOptions>();
   command.take("file", options->file, "E.yaml", "the experiment's document", Reads::documents);
-  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
-  command.take("--minutes", options->minutes, "N",
-               "play so much of the game's clock for each arm, whatever the document says");
-  command.take("--matches", options->matches, "N", "play so many matches for each arm, whatever the document says");
+  options->values.declare(command, config::DocumentKind::experiment, own);
+  options->values.declare_common(command, config::DocumentKind::experiment);
+  command.take("--set", options->set, "PATH=VALUE",
+               "a value laid over that document, or over those of its matches; may be repeated");
   command.take("--csv", options->csv, "FILE", "write every number of every match of the arms as a table",
                Writes::match_table);
   command.take("--summary", options->summary, "FILE", "write means and intervals as a table", Writes::summary_table);

@@ -61,7 +61,7 @@ std::optional<StoredMatch> stored_match_of(const MatchOptions& options, const In
   const MatchOptions unset;
   const bool more = !options.teams.empty() || !options.rules.empty() || !options.robot.empty() ||
                     !options.disturbance.empty() || !options.home_disturbance.empty() ||
-                    !options.away_disturbance.empty() || !options.overrides.empty() || !options.opening.empty() ||
+                    !options.away_disturbance.empty() || !options.set.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
   return read_stored_match(options.from, options.row, invocation.studies);
@@ -74,7 +74,9 @@ void check_what_is_written(output::OutputFiles outputs, const MatchOptions& opti
   std::vector<std::string> documents = played.teams;
   documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
                                      played.away_disturbance, played.opening});
-  outputs.read(documents, Reads::documents, played.overrides);
+  std::vector<std::string> set;
+  for (const config::Override& each : played.overrides) set.push_back(to_string(each));
+  outputs.read(documents, Reads::documents, set);
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.check(options.force);
 }
@@ -162,6 +164,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
     throw BadInput(config::unknown("value", options.log, "--log", log_levels));
   }
+  options.overrides = config::typed_overrides(options.set);
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
   const std::optional<StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {
@@ -261,7 +264,7 @@ void add_match(Command& parent, const Invocation& invocation) {
   command.take("--away-disturbance", options->away_disturbance, "FILE", "of the away team alone", Reads::documents);
   command.take("--opening", options->opening, "FILE", "scene that the game starts from; default: kick-off",
                Reads::documents);
-  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over a document; may be repeated");
+  command.take("--set", options->set, "PATH=VALUE", "a value laid over a document; may be repeated");
   command.take("--limit", options->limit, "SECONDS", "end the match after so many simulated seconds");
   command.take("--from", options->from, "RESULTS.db", "play a match of these results again", Reads::results);
   command.take("--row", options->row, "N", "which one, from 1");

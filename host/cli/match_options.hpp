@@ -10,7 +10,7 @@
 namespace regista::cli {
 
 struct MatchOptions : campaign::MatchRequest {
-  std::vector<std::string> plugins;
+  std::vector<std::string> set, plugins;  // --set, as typed
   std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false, in_process = false;
   std::string log = "info";  // the least level of the lines of plugins that are shown; "none": none of them

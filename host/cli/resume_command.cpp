@@ -24,7 +24,7 @@
 #include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
-#include "study/more_pairs.hpp"
+#include "study/tournament_plan.hpp"
 
 namespace regista::cli {
 namespace {

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "cli/campaign_options.hpp"
 #include "cli/cluster_run.hpp"
 #include "cli/commands.hpp"
 #include "cli/study_commands.hpp"
@@ -29,32 +28,28 @@ would play it; these have options of their own besides. What was begun is gone o
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
 
-struct RunOptions : campaign::Options {
-  std::string file;
-  std::vector<std::string> overrides;
+struct RunOptions : StudyOptions {
   ClusterOptions cluster;
 };
 
-template <class Request>
-Request request_of(const RunOptions& options) {
-  Request out;
-  static_cast<campaign::Options&>(out) = options;
-  out.file = options.file;
-  out.overrides = options.overrides;
+template <class Options>
+Options of_study(const RunOptions& options) {
+  Options out;
+  static_cast<StudyOptions&>(out) = options;
   return out;
 }
 
 int play_here(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
   if (options.file.empty()) throw BadInput("run: which study? Name its document; see: regista run --help");
   using enum config::DocumentKind;
-  const config::DocumentKind kind = config::kind_of(config::load(options.file, options.overrides));
+  const config::DocumentKind kind = config::kind_of(config::load(options.file));
   switch (kind) {
     case tournament:
-      return cli::tournament(request_of<study::TournamentRequest>(options), outputs, invocation);
+      return cli::tournament(of_study<StudyOptions>(options), outputs, invocation);
     case experiment:
-      return cli::experiment(request_of<ExperimentOptions>(options), outputs, invocation);
+      return cli::experiment(of_study<ExperimentOptions>(options), outputs, invocation);
     case tuning:
-      return cli::tune(request_of<TuneOptions>(options), outputs, invocation);
+      return cli::tune(of_study<TuneOptions>(options), outputs, invocation);
     case predictor_study:
       throw BadInput(fmt::format(
           "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
@@ -95,7 +90,9 @@ void add_run(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("run", "play the study of a document");
   const auto options = std::make_shared<RunOptions>();
   command.take("file", options->file, "STUDY.yaml", "a tournament, an experiment or a tuning", Reads::documents);
-  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
+  options->values.declare_common(command, config::DocumentKind::tournament);
+  command.take("--set", options->set, "PATH=VALUE",
+               "a value laid over that document, or over those of its matches; may be repeated");
   add_campaign_options(command, *options, "the study's name with .db");
   add_cluster_options(command, options->cluster);
   command.notes(run_examples);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,10 +11,10 @@
 
 #include "cli/commands.hpp"
 #include "config/text.hpp"
+#include "config/typed.hpp"
 #include "output/output.hpp"
 #include "report/counts.hpp"
 #include "statistics/sequential_test.hpp"
-#include "study/sequential_test_options.hpp"
 
 namespace regista::cli {
 namespace {
@@ -61,12 +62,43 @@ std::vector<statistics::Count> parse_counts(const std::vector<std::string>& word
   return counts;
 }
 
+constexpr double most_elo = 4000.0;
+
+statistics::Model parse_model(const std::string& text) {
+  if (text == "normalized") return statistics::Model::normalized;
+  if (text == "logistic") return statistics::Model::logistic;
+  throw BadInput(config::unknown("model", text, "--model", std::vector<std::string>{"normalized", "logistic"}));
+}
+
+statistics::Hypotheses parse_hypotheses(const std::string& option, const std::string& text) {
+  const std::size_t comma = text.find(',');
+  const auto elo0 = config::typed_number(std::string_view(text).substr(0, comma));
+  const auto elo1 =
+      comma == std::string::npos ? std::nullopt : config::typed_number(std::string_view(text).substr(comma + 1));
+  if (!elo0 || !elo1 || std::abs(*elo0) > most_elo || std::abs(*elo1) > most_elo) {
+    throw BadInput(fmt::format("{}: {}; expected two numbers from {} to {}, as in 0,10", option,
+                               config::in_quotes(text), -most_elo, most_elo));
+  }
+  if (!(*elo0 < *elo1)) {
+    throw BadInput(fmt::format("{}: {}; the first must be the smaller one", option, config::in_quotes(text)));
+  }
+  return {*elo0, *elo1};
+}
+
+statistics::ErrorRates parse_rates(const std::string& alpha, const std::string& beta) {
+  const statistics::ErrorRates rates{config::parse_rate("--alpha", alpha), config::parse_rate("--beta", beta)};
+  if (!(rates.alpha + rates.beta < 1.0)) {
+    throw BadInput(fmt::format("--alpha {} and --beta {}: their sum must be below 1", alpha, beta));
+  }
+  return rates;
+}
+
 report::SequentialTestOfCounts evaluate(const SprtOptions& options) {
   statistics::SequentialDesign design;
-  design.model = study::parse_model(options.model);
+  design.model = parse_model(options.model);
   if (options.elo.empty()) throw BadInput("sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10");
-  design.hypotheses = study::parse_hypotheses("--elo", options.elo);
-  design.rates = study::parse_rates(options.alpha, options.beta);
+  design.hypotheses = parse_hypotheses("--elo", options.elo);
+  design.rates = parse_rates(options.alpha, options.beta);
   return report::test_counts(parse_counts(options.counts), options.model, design);
 }
 

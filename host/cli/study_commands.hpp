@@ -6,28 +6,26 @@
 #include <string>
 
 #include "cli/invocation.hpp"
+#include "cli/study_options.hpp"
 #include "output/output_files.hpp"
-#include "plugin/catalogue.hpp"
-#include "study/experiment_setup.hpp"
-#include "study/tournament_setup.hpp"
-#include "study/tuning/search_comparison_setup.hpp"
+#include "study/tuning/tuning_plan.hpp"
 
 namespace regista::cli {
 
-struct ExperimentOptions : study::ExperimentRequest {
+struct ExperimentOptions : StudyOptions {
   std::string csv, summary;  // files; empty: none
   bool force = false;        // they may replace files of another kind
 };
 
-struct TuneOptions : study::SearchComparisonRequest {
+struct TuneOptions : StudyOptions {
   std::string trace, output;  // files; empty: none, beside the results
   bool force = false;         // they may replace files of another kind
 };
 
-// From the document or the options to the report: the exit code. Each throws what end_of_program.hpp explains.
-int tournament(study::TournamentRequest options, output::OutputFiles outputs, const Invocation& invocation);
+// From what is asked to the report: the exit code. Each throws what end_of_program.hpp explains.
+int tournament(StudyOptions options, output::OutputFiles outputs, const Invocation& invocation);
 int experiment(ExperimentOptions options, output::OutputFiles outputs, const Invocation& invocation);
-int tune(const TuneOptions& options, const output::OutputFiles& outputs, const Invocation& invocation);
+int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation);
 
 // Goes on with a tuning whose plan is known.
 int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::OutputFiles outputs,

@@ -6,11 +6,9 @@
 
 #include "cli/study_commands.hpp"
 #include "report/experiment_report.hpp"
-#include "report/search_comparison_report.hpp"
 #include "report/tournament_report.hpp"
 #include "report/tuning_report.hpp"
 #include "study/plan_names.hpp"
-#include "study/tuning/search_comparison_plan.hpp"
 #include "study/tuning/search_time.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
@@ -18,7 +16,7 @@ namespace regista::cli {
 
 std::span<const StudyKind> study_kinds() {
   using Report = std::unique_ptr<report::StudyReport>;
-  static const std::array<StudyKind, 4> kinds{{
+  static const std::array<StudyKind, 3> kinds{{
       {study::tournament_study, "a tournament",
        [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
          return report::tournament_report(study::tournament_plan_from_json(plan), std::move(again));
@@ -44,10 +42,6 @@ std::span<const StudyKind> study_kinds() {
          TuneOptions tuning;
          static_cast<campaign::Options&>(tuning) = options;
          return tune_by_plan(study::tuning_plan_from_json(plan), tuning, outputs, invocation);
-       }},
-      {study::search_comparison_study, "a comparison of search algorithms",
-       [](const std::string& plan, const campaign::Store&, const report::CommandOf&) -> Report {
-         return report::search_comparison_report(study::search_comparison_plan_from_json(plan));
        }},
   }};
   return kinds;

@@ -5,8 +5,8 @@
 
 #include <functional>
 
+#include "campaign/options.hpp"
 #include "campaign/store.hpp"
-#include "cli/campaign_options.hpp"
 #include "cli/commands.hpp"
 #include "report/study_report.hpp"
 #include "study/study.hpp"

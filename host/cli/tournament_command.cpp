@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `regista tournament`: which of two teams is better, or how several rank, in pairs of matches with the same seed and
 // the sides swapped.
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -30,8 +31,8 @@ A pair is two matches with the same seed and the sides swapped; pair k has the s
 opening, or under a test one drawn by that seed. The test is fixed before the first match: --sprt stops as soon as the scores of pairs speak for H1 (stronger
 by ELO1) or H0 (by ELO0); --metric goals, or any number of a match, as soon as they differ, at the latest after --pairs.
 Without a test all pairs are played.
-A path of --set begins with a (the first team), b (the second), ..., rules, robot, disturbance or opening; without one
-of these it goes to all teams. Each match runs in a process of its own: a plugin that crashes, hangs or takes all memory
+Each option takes the place of what the document says. A path of --set is one of the document, or begins with a (the
+first team), b (the second), ..., rules, robot, disturbance or opening; any other goes to all teams. Each match runs in a process of its own: a plugin that crashes, hangs or takes all memory
 forfeits its match 0:10. That keeps accidents apart; it is no protection from malice.
 
 Exit codes: 0 played, whatever the verdict; 1 the results could not be written; 2 bad input; 3 a defect of
@@ -39,15 +40,20 @@ Regista; 130 interrupted.)";
 
 }  // namespace
 
-int tournament(study::TournamentRequest options, output::OutputFiles outputs, const Invocation& invocation) {
+int tournament(StudyOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
+  const config::StudyRequest asked = options.asked();
+  if (asked.file.empty() && asked.options.empty()) {
+    throw BadInput(
+        "tournament: expected a document, or two teams or more, each by --team FILE; see: regista tournament --help");
+  }
+  const config::Node document = config::requested(asked, config::DocumentKind::tournament);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::PlannedTournament planned = study::planned_tournament(options, catalogue);
+  study::PlannedTournament planned = study::planned_tournament(document, options.plugins, catalogue);
+  planned.plan.program = REGISTA_VERSION;
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) {
-    options.results = planned.plan.name.empty() ? "tournament.db" : planned.plan.name + ".db";
-  }
+  if (options.results.empty()) options.results = planned.plan.asked.name + ".db";
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
@@ -61,38 +67,27 @@ int tournament(study::TournamentRequest options, output::OutputFiles outputs, co
 }
 
 void add_tournament(Command& parent, const Invocation& invocation) {
+  using enum DocumentOption::Form;
+  static constexpr std::array own{
+      DocumentOption{"--team", "teams", teams},
+      DocumentOption{"--format", "format"},
+      DocumentOption{"--pairs", "pairs"},
+      DocumentOption{"--sprt", "test.elo", pair},
+      DocumentOption{"--model", "test.model"},
+      DocumentOption{"--metric", "test.metric"},
+      DocumentOption{"--alpha", "test.alpha"},
+      DocumentOption{"--beta", "test.beta"},
+      DocumentOption{"--failures-in-a-row", "failures_in_a_row"},
+  };
   Command& command = parent.add("tournament", "find out which team is better");
-  const auto options = std::make_shared<study::TournamentRequest>();
-  command.take("file", options->file, "[T.yaml]",
-               "the tournament's document, which says what the options from --team to --disturbance say, and "
-               "--failures-in-a-row",
+  const auto options = std::make_shared<StudyOptions>();
+  command.take("file", options->file, "[T.yaml]", "the tournament's document; without it the options say all",
                Reads::documents);
-  command.take("--team", options->teams, "FILE", "a team's file; to be given twice, or more often", Reads::documents);
-  command.choose("--format", options->format, {"round-robin", "gauntlet"},
-                 "of more than two teams: all against all (default), or the first against each of the others");
-  command.take("--pairs", options->pairs, "N", "play so many pairs of matches of each pairing; with a test: at most");
-  command.take("--sprt", options->sprt, "ELO0,ELO1", "stop when the scores tell a strength of ELO0 from one of ELO1");
-  command.choose("--model", options->model, {"normalized", "logistic"},
-                 "what --sprt is in: normalized (default) or logistic Elo");
-  command.take("--metric", options->metric, "NAME",
-               "stop when this differs: goals, or a number of a match such as "
-               "striker.overlap_seconds");
-  command.take("--alpha", options->alpha, "RATE", "rate of finding a difference in error; default 0.05");
-  command.take("--beta", options->beta, "RATE", "of --sprt: rate of missing it; default 0.05");
-  command.take("--openings", options->openings, "PATH", "scenes that matches start from: a file, or a folder of them",
-               Reads::documents);
-  command.take("--seed", options->seed, "N", "of the first pair; default 1");
-  command.take("--limit", options->limit, "SECONDS", "end each match after so many simulated seconds");
-  command.take("--rules", options->rules, "FILE", "rules profile; default: spl2023, built in", Reads::documents);
-  command.take("--robot", options->robot, "FILE", "robot profile of all teams; default: nao, built in",
-               Reads::documents);
-  command.take("--disturbance", options->disturbance, "FILE", "disturbance profile; default: none", Reads::documents);
-  command.take(
-      "--set", options->overrides, "PATH=VALUE",
-      "a value laid over the tournament's document; without one, over those of teams and profiles; may be repeated");
-  command.take("--failures-in-a-row", options->failures_in_a_row, "N",
-               "set a team aside after so many forfeits by the same plugin; default 10; 0: never");
-  add_campaign_options(command, *options, "the tournament's name with .db, or tournament.db");
+  options->values.declare(command, config::DocumentKind::tournament, own);
+  options->values.declare_common(command, config::DocumentKind::tournament);
+  command.take("--set", options->set, "PATH=VALUE",
+               "a value laid over the tournament's document, or over those of its matches; may be repeated");
+  add_campaign_options(command, *options, "the tournament's name with .db");
   command.notes(tournament_examples);
   command.run = [options, &command, &invocation] {
     return tournament(*options, output::OutputFiles(command.given(), "tournament"), invocation);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `regista tune`: searches the numbers of a team for better ones, and says on other seeds whether they are; with
-// --compare it plays another study, which compares search algorithms on the same document.
+// `regista tune`: searches the numbers of a team for better ones, and says on other seeds whether they are.
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -18,11 +18,9 @@
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
-#include "report/search_comparison_report.hpp"
 #include "report/tuned_file.hpp"
 #include "report/tuning_report.hpp"
 #include "study/recording_place.hpp"
-#include "study/tuning/search_comparison_setup.hpp"
 #include "study/tuning/search_time.hpp"
 #include "study/tuning/tuning_setup.hpp"
 
@@ -33,7 +31,6 @@ constexpr auto tune_examples = R"(Examples:
   regista tune configs/studies/tune_paper.yaml
   regista tune configs/studies/tune_paper.yaml --matches 400 --set search.algorithm=spsa
   regista tune configs/studies/tune_paper.yaml --results night.db --resume
-  regista tune configs/studies/tune_paper.yaml --compare sbplx,spsa,sep_cma_es,random_search --repeats 9
   regista report night.db --json
 
 The document names a team, opponents, the values that may change, what counts as better, an algorithm and how much is
@@ -41,22 +38,9 @@ played; `regista config show` explains its values, docs/tuning.md the method. Wh
 best points are played again on other seeds, and the best of these meet the base team on held-out seeds,
 in a test that may stop at any pair. The team that comes of it is written beside the results, NAME.tuned.yaml, with
 what was found about it in its head, whether or not it was found better.
---compare plays the search of several algorithms with equal numbers of matches, repeated with other seeds, and judges what
-each came to on seeds that none has seen; no team is written.
 
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
-
-// Where the results go, and which files are not to be written over. name: of the results where none is given.
-void choose_outputs(TuneOptions& options, output::OutputFiles& outputs, const plugin::Catalogue& catalogue,
-                    const std::string& name) {
-  tell_what_is_not_used(catalogue, options.plugins);
-  options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = name;
-  outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results,
-                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
-}
 
 // To its end, with the table that was asked for. at_end: before the report is printed; may be empty.
 int play(report::StudyReport& report, const TuneOptions& options, const Invocation& invocation, campaign::Store& store,
@@ -75,25 +59,6 @@ int play(report::StudyReport& report, const TuneOptions& options, const Invocati
     if (at_end) at_end();
   };
   return play_study(report, options, invocation, store, wishes);
-}
-
-int tune_team(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,
-              const Invocation& invocation) {
-  if (!options.repeats.empty()) throw BadInput("--repeats: belongs to --compare, which is not given");
-  study::TuningPlan plan = study::planned_tuning(options, catalogue);
-  choose_outputs(options, outputs, catalogue, plan.name + ".db");
-  return tune_by_plan(std::move(plan), options, std::move(outputs), invocation);
-}
-
-int compare_searches(TuneOptions options, output::OutputFiles outputs, const plugin::Catalogue& catalogue,
-                     const Invocation& invocation) {
-  study::SearchComparisonPlan plan = study::planned_search_comparison(options, catalogue);
-  choose_outputs(options, outputs, catalogue, plan.tuning.name + ".compare.db");
-  outputs.check(options.force);
-  const auto report = report::search_comparison_report(std::move(plan));
-  campaign::Store store =
-      open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
-  return play(*report, options, invocation, store, {});
 }
 
 }  // namespace
@@ -133,24 +98,35 @@ int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::Out
   return exit;
 }
 
-int tune(const TuneOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
+int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   campaign::check(options);
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
+  const config::Node document = config::requested(options.asked(), config::DocumentKind::tuning);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  return options.compare.empty() ? tune_team(options, outputs, catalogue, invocation)
-                                 : compare_searches(options, outputs, catalogue, invocation);
+  study::TuningPlan plan = study::planned_tuning(document, options.plugins, catalogue);
+  plan.program = REGISTA_VERSION;
+  tell_what_is_not_used(catalogue, options.plugins);
+  options.plugin_files = catalogue.used_files();
+  if (options.results.empty()) options.results = plan.asked.name + ".db";
+  outputs.read(folders_of(catalogue), Reads::plugins);
+  outputs.write_beside(options.results,
+                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
+  return tune_by_plan(std::move(plan), options, std::move(outputs), invocation);
 }
 
 void add_tune(Command& parent, const Invocation& invocation) {
+  static constexpr std::array own{
+      DocumentOption{"--matches", "search.matches"},
+      DocumentOption{"--opponent-disturbance", "opponent_disturbance"},
+  };
   Command& command = parent.add("tune", "search a team's numbers for better ones, and verify what was found");
   const auto options = std::make_shared<TuneOptions>();
   command.take("file", options->file, "T.yaml", "the tuning's document", Reads::documents);
-  command.take("--set", options->overrides, "PATH=VALUE", "a value laid over that document; may be repeated");
-  command.take("--matches", options->matches, "N", "search with so many matches, whatever the document says");
-  command.take("--compare", options->compare, "A,B,...", "compare these algorithms instead, divided by commas");
-  command.take("--repeats", options->repeats, "N", "of each algorithm that is compared; default 5");
-  command.take("--trace", options->trace, "FILE",
-               "write every point of the search as a table; with --compare every run", Writes::search_table);
+  options->values.declare(command, config::DocumentKind::tuning, own);
+  options->values.declare_common(command, config::DocumentKind::tuning);
+  command.take("--set", options->set, "PATH=VALUE",
+               "a value laid over that document, or over those of its matches; may be repeated");
+  command.take("--trace", options->trace, "FILE", "write every point of the search as a table", Writes::search_table);
   command.take("--output", options->output, "FILE",
                "file for the tuned team; default: NAME.tuned.yaml beside the results", Writes::tuned_team);
   command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");

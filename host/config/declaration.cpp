@@ -22,8 +22,18 @@ Field degrees(std::string key, Member<double> member, Range range, std::string u
   return {std::move(key), std::move(doc), Real{std::move(member), range, std::move(unit), radians_per_degree}};
 }
 
+template <class Whole>
+static Field whole(std::string key, const Member<Whole>& member, Range range, std::string unit, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Integer{[member] { return static_cast<std::int64_t>(member.get()); },
+                  [member](std::int64_t value) { member.get() = static_cast<Whole>(value); },
+                  [member] { return member.present(); }, range, std::move(unit)}};
+}
 Field integer(std::string key, Member<int> member, Range range, std::string unit, std::string doc) {
-  return {std::move(key), std::move(doc), Integer{std::move(member), range, std::move(unit)}};
+  return whole(std::move(key), member, range, std::move(unit), std::move(doc));
+}
+Field integer(std::string key, Member<std::int64_t> member, Range range, std::string unit, std::string doc) {
+  return whole(std::move(key), member, range, std::move(unit), std::move(doc));
 }
 
 Field bounds(std::string key, double& least, double& largest, Range range, std::string unit, std::string doc) {
@@ -50,6 +60,14 @@ Field name(std::string key, Member<std::string> member, std::string doc) {
 
 Field file(std::string key, Member<std::string> member, std::string doc) {
   return {std::move(key), std::move(doc), File{std::move(member)}};
+}
+
+Field profile(std::string key, Member<std::string> member, std::string built_in, std::string doc) {
+  return {std::move(key), std::move(doc), File{std::move(member), std::move(built_in)}};
+}
+
+Field paths(std::string key, std::vector<NamedPath>& members, std::string doc) {
+  return {std::move(key), std::move(doc), Paths{&members}};
 }
 
 Field free(std::string key, Node& member, std::string definition, std::string doc) {

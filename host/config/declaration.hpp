@@ -14,6 +14,7 @@
 #include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -74,7 +75,9 @@ struct Real {
 };
 
 struct Integer {
-  Member<int> member;
+  std::function<std::int64_t()> get;
+  std::function<void(std::int64_t)> set;
+  std::function<bool()> present;
   Range range;
   std::string unit;
 };
@@ -90,6 +93,17 @@ struct Name {
 // A file, resolved against the one that names it; must exist. Empty is the same as not there.
 struct File {
   Member<std::string> member;
+  std::string built_in = {};  // a name that means the built-in values, unless a file has it; empty: there are none
+};
+
+struct NamedPath {
+  std::string path;  // absolute
+  Location where;
+};
+
+// Files or folders, one or a list of them, each as a file is.
+struct Paths {
+  std::vector<NamedPath>* members;
 };
 
 struct Choice {
@@ -146,13 +160,19 @@ struct Dictionary {
 struct Field {
   std::string key;
   std::string doc;
-  std::variant<Real, Integer, Boolean, Name, File, Choice, Numbers, Own, Free, Section, List, Dictionary> kind;
+  std::variant<Real, Integer, Boolean, Name, File, Paths, Choice, Numbers, Own, Free, Section, List, Dictionary> kind;
   bool required = false;
+  bool decides = true;                    // what comes of the document; else it says only how that is worked out or told
   std::string default_from = {};  // the keys that the default follows from, in words, where it is no fixed value
 };
 
 inline Field with_default_from(Field field, std::string others) {
   field.default_from = std::move(others);
+  return field;
+}
+
+inline Field without_effect(Field field) {
+  field.decides = false;
   return field;
 }
 
@@ -170,9 +190,12 @@ Field real(std::string key, Member<double> member, Range range, std::string unit
 Field degrees(std::string key, Member<double> member, Range range, std::string unit, std::string doc);
 
 Field integer(std::string key, Member<int> member, Range range, std::string unit, std::string doc);
+Field integer(std::string key, Member<std::int64_t> member, Range range, std::string unit, std::string doc);
 Field boolean(std::string key, Member<bool> member, std::string doc);
 Field name(std::string key, Member<std::string> member, std::string doc);
 Field file(std::string key, Member<std::string> member, std::string doc);
+Field profile(std::string key, Member<std::string> member, std::string built_in, std::string doc);
+Field paths(std::string key, std::vector<NamedPath>& members, std::string doc);
 Field free(std::string key, Node& member, std::string definition, std::string doc);
 
 // The enumerators must count from 0 in the order of the names.

@@ -3,9 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "config/check.hpp"
+#include "config/overlay.hpp"
 #include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/schema.hpp"
@@ -243,6 +245,71 @@ void with_declaration(DocumentKind kind, const std::function<void(const Map&)>& 
       return declared(TeamPage{});
   }
 }
+
+namespace {
+
+// What stands before the first dot of a path that is of a match's documents, whatever the study is.
+constexpr std::array<std::string_view, 8> of_matches{"rules",    "robot",   "disturbance", "opponent_disturbance",
+                                                     "opponent", "opening", "home",        "away"};
+
+bool is_of_a_match(std::string_view path, const Map& study) {
+  const std::string_view first = path.substr(0, path.find('.'));
+  const bool is_inside = first.size() < path.size();
+  const auto has = [first](const Map& declared) {
+    return std::ranges::find(declared.fields, first, &Field::key) != declared.fields.end();
+  };
+  if (std::ranges::find(of_matches, first) != of_matches.end() && is_inside) return true;
+  if (has(study)) return false;
+  const bool letter = first.size() == 1 && (first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z';
+  TeamPage page;
+  return letter || has(declare(page)) || std::ranges::find(of_matches, first) != of_matches.end();
+}
+
+// The same as one of the values of the study's `set`, whose keys are paths.
+Node set_in(const Node& document, const Override& override) {
+  std::vector<Node::Entry> entries, settings;
+  for (const Node::Entry& each : document.entries()) {
+    if (each.key != "set") entries.push_back(each);
+  }
+  const Node set = document["set"];
+  for (const Node::Entry& each : set.entries()) {
+    if (each.key != override.path) settings.push_back(each);
+  }
+  settings.push_back({override.path, override.where, override.value});
+  entries.push_back({"set", override.where, Node::map(std::move(settings), set ? set.where() : override.where)});
+  return Node::map(std::move(entries), document.where());
+}
+
+// Another value, or none.
+Node replaced(const Node& document, const Override& option) {
+  const bool there = static_cast<bool>(value_at(document, option.path));
+  const Node without = there ? with(document, option.path, Node::null(option.where), option.where) : document;
+  return option.value.kind() == Node::Kind::null ? without : with(without, option.path, option.value, option.where);
+}
+
+}  // namespace
+
+Node requested(const StudyRequest& request, DocumentKind kind) {
+  Node document;
+  if (request.file.empty()) {
+    const std::string name(name_of(kind));
+    const Location where{name, 0, 0};
+    document = Node::map({{name, where, Node::scalar(name, false, where)}}, where);
+  } else {
+    document = load(request.file);
+    require_kind(document, kind);
+  }
+  for (const Override& each : request.options) document = replaced(document, each);
+  with_declaration(kind, [&](const Map& declared) {
+    for (const Override& each : typed_overrides(request.set)) {
+      document = is_of_a_match(each.path, declared) ? set_in(document, each)
+                                                    : with(document, each.path, each.value, each.where);
+    }
+  });
+  return document;
+}
+
+Node requested(const StudyRequest& request) { return requested(request, kind_of(load(request.file))); }
 
 std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins) {
   std::string out;

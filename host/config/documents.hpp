@@ -89,6 +89,18 @@ std::string show(const std::filesystem::path& file, const Overrides& overrides =
 // Calls use() with the declaration of a kind of document that says nothing, so with all defaults.
 void with_declaration(DocumentKind kind, const std::function<void(const Map&)>& use);
 
+// What is asked of a study: its document, with values of options and of `--set` laid over it.
+struct StudyRequest {
+  std::string file;  // empty: the options say all
+  // Of options, in their order: each takes the place of what stands at its path, and null takes that away.
+  Overrides options;
+  // Those whose first key the document has not are laid over the documents of its matches, so they go to its `set`.
+  std::vector<std::string> set;
+};
+Node requested(const StudyRequest& request, DocumentKind kind);
+// Of a document whatever it is, by its file alone.
+Node requested(const StudyRequest& request);
+
 // JSON Schema (draft 2020-12) of a kind of document, for editors. With plugins, only those are known, each with its own
 // parameters; without, every plugin and every parameter passes. Files with `extends` need not be complete.
 std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins = {});

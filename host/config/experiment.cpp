@@ -9,7 +9,6 @@
 
 #include "config/file.hpp"
 #include "config/line.hpp"
-#include "config/path_list.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
@@ -145,10 +144,10 @@ static Map declare(Experiment::Primary& primary) {
 
 Map declare(Experiment& experiment) {
   return {
-      .fields =
+      .fields = joined(
           {
               required(name("experiment", experiment.name, "name of this experiment")),
-              line("question", experiment.question, "what it is to answer"),
+              without_effect(line("question", experiment.question, "what it is to answer")),
               required(list("arms", experiment.arms, 1, 32, "what is compared")),
               file("team", experiment.team, "of arms that name none"),
               required(file("opponent", experiment.opponent, "the team that every arm plays against")),
@@ -156,22 +155,15 @@ Map declare(Experiment& experiment) {
                    "of the game's clock for each arm (Playing is less)"),
               integer("matches", experiment.matches, {2, 1000000}, "1",
                       "for each arm, an even number: half at home, half away"),
-              integer("seed", experiment.seed, {0, 2147483647}, "1", "of the first pair of matches"),
-              file("rules", experiment.rules, "rules profile; without it spl2023, built in"),
-              file("robot", experiment.robot, "robot profile of all; without it nao, built in"),
-              file("disturbance", experiment.disturbance, "disturbance of the arm's team; without it none"),
-              file("opponent_disturbance", experiment.opponent_disturbance, "of the opponent; without it none"),
-              paths("openings", experiment.openings, "scenes that matches start from: files, or folders of them"),
-              real("limit", experiment.limit, {0.1, 1e6}, "s", "after which each match ends"),
-              free("set", experiment.set, "settings", "values laid over documents in all arms, by path"),
+              integer("seed", experiment.seed, {0, largest_seed}, "1", "of the first pair of matches"),
+              profile("disturbance", experiment.disturbance, "none", "of the arm's team; `none` is built in"),
+              profile("opponent_disturbance", experiment.opponent_disturbance, "none", "of the opponent"),
               section("sweep", experiment.sweep, "a value that is varied"),
               lines("measures", experiment.measures, "numbers of a match that are shown; without it the usual ones"),
               section("primary", experiment.primary, "what is tested"),
               real("confidence", experiment.confidence, {0.5, 0.9999}, "1", "of every interval, and of the test"),
-              choice("isolation", experiment.isolation, isolation_names(), isolation_doc),
-              boolean("play_twice", experiment.play_twice, play_twice_doc),
-              boolean("allow_shared_memory", experiment.allow_shared_memory, allow_shared_memory_doc),
           },
+          fields_of(experiment.settings, "values laid over documents in all arms, by path")),
       .exactly_one = {"minutes", "matches"}};
 }
 

@@ -6,13 +6,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "config/declaration.hpp"
-#include "config/isolation.hpp"
-#include "config/path_list.hpp"
+#include "config/match_settings.hpp"
 
 namespace regista::config {
 
@@ -51,19 +51,13 @@ struct Experiment {
   std::string team, opponent;     // files; team: of arms that name none
   std::optional<double> minutes;  // of the game's clock for each arm and value
   std::optional<int> matches;     // for each arm and value, even
-  int seed = 1;
-  std::string rules, robot;                       // files; empty: the built-in values
-  std::string disturbance, opponent_disturbance;  // of the arm's team, of its opponent
-  std::vector<NamedPath> openings;
-  std::optional<double> limit;  // s of a match
-  Node set;                     // for all arms; map or absent
+  std::int64_t seed = 1;
+  std::string disturbance, opponent_disturbance;  // files; of the arm's team, of its opponent; empty: none
   std::optional<Sweep> sweep;
   std::vector<Node> measures;  // paths of numbers of a match; empty: the usual ones
   std::optional<Primary> primary;
   double confidence = 0.95;
-  Isolation isolation = Isolation::after_death;
-  bool play_twice = true;
-  bool allow_shared_memory = false;
+  MatchSettings settings;
 };
 
 Map declare(Experiment& experiment);

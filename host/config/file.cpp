@@ -89,7 +89,7 @@ fs::path named_file(const Node& value, std::string_view what) {
   const std::string name = to_text(value, what);
   if (name.empty()) throw Error(value.where(), fmt::format("{}: empty; expected a path", what));
   const fs::path path = name;
-  if (path.is_absolute() || value.where().line == 0) return path.lexically_normal();
+  if (path.is_absolute() || value.where().is_laid()) return path.lexically_normal();
   return (fs::path(value.where().file).parent_path() / path).lexically_normal();
 }
 

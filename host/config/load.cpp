@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/file.hpp"
+#include "config/flow.hpp"
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
 
@@ -57,15 +58,20 @@ Node load(const fs::path& file, const Overrides& overrides) {
   return override_with(load_over(file, {}, chain), overrides);
 }
 
+Override::Override(const std::string& typed) : where{"--set " + typed, 0, 0} {
+  const std::size_t equals = typed.find('=');
+  if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
+  if (equals + 1 == typed.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
+  path = typed.substr(0, equals);
+  value = parse_value(std::string_view(typed).substr(equals + 1), where);
+}
+
+Overrides typed_overrides(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+
+std::string to_string(const Override& override) { return fmt::format("{}={}", override.path, flow(override.value)); }
+
 Node override_with(Node document, const Overrides& overrides) {
-  for (const std::string& text : overrides) {
-    const Location where{"--set " + text, 0, 0};
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
-    if (equals + 1 == text.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
-    const Node value = parse_value(std::string_view(text).substr(equals + 1), where);
-    document = with(document, std::string_view(text).substr(0, equals), value, where);
-  }
+  for (const Override& each : overrides) document = with(document, each.path, each.value, each.where);
   return document;
 }
 

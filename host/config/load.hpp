@@ -4,17 +4,34 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/node.hpp"
 
 namespace regista::config {
 
-// Values of the command line, each "path=value" (`--set`), laid over the document in this order. The value is YAML.
-using Overrides = std::vector<std::string>;
+// A value that is laid over a document.
+struct Override {
+  std::string path;
+  Node value;
+  Location where;  // of the path
+
+  Override(std::string path, Node value, Location where)
+      : path(std::move(path)), value(std::move(value)), where(std::move(where)) {}
+  // As it is typed, "path=value", the value in YAML: stands at "--set path=value". Throws Error for what is none.
+  Override(const std::string& typed);
+  Override(const char* typed) : Override(std::string(typed)) {}
+};
+
+// In the order in which they are laid over it.
+using Overrides = std::vector<Override>;
+
+Overrides typed_overrides(const std::vector<std::string>& texts);
+std::string to_string(const Override& override);  // "path=value"
 
 // Reads a file. Its key `extends: FILE` (relative to it) names a file that it is laid over, which may extend another.
-// Every value keeps the Location of the file it came from; those of overrides stand at "--set path=value".
+// Every value keeps the Location of the file it came from, or of the override.
 Node load(const std::filesystem::path& file, const Overrides& overrides = {});
 
 // Overrides alone, over a document in memory.

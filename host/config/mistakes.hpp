@@ -17,7 +17,12 @@ namespace regista::config {
 class Mistakes {
  public:
   enum class After { stop, go_on };
-  explicit Mistakes(After after) : after_(after) {}
+  // Whether a file that is not there is a mistake. Not in a document that is read back, perhaps elsewhere: its files
+  // are kept as they stand in it.
+  enum class Files { looked_for, as_they_stand };
+  explicit Mistakes(After after, Files files = Files::looked_for) : after_(after), files_(files) {}
+
+  bool looks_for_files() const { return files_ == Files::looked_for; }
 
   // Of the value at `path`, "" where it is of none. stop: throws it. go_on: keeps it, once.
   void add(const Error& mistake, std::string_view path);
@@ -60,6 +65,7 @@ class Mistakes {
  private:
   static constexpr std::size_t most_kept = 10'000;
   After after_;
+  Files files_;
   std::size_t total_ = 0;
   std::vector<Error> found_;
   std::set<std::string> said_;

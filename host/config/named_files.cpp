@@ -84,15 +84,7 @@ class Search {
 std::vector<fs::path> named_files(std::span<const fs::path> documents, const Overrides& overrides) {
   Search search;
   for (const fs::path& each : documents) search.name(each.string(), {});
-  for (const std::string& each : overrides) {
-    const std::size_t equals = each.find('=');
-    if (equals == std::string::npos) continue;
-    try {
-      search.values(parse_value(each.substr(equals + 1), {"--set " + each, 0, 0}), {});
-    } catch (const Error&) {
-      // Told by whoever lays it over its document.
-    }
-  }
+  for (const Override& each : overrides) search.values(each.value, {});
   return search.all();
 }
 

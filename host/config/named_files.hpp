@@ -15,7 +15,7 @@ namespace regista::config {
 
 // The files themselves and all they lead to, each name once (a file that links lead to has several, eight at most), in
 // the order found; a folder stands for the .yaml files in it.
-// overrides: "path=value", whose values may name files, too. What cannot be read leads to nothing; never throws for it.
+// overrides: their values may name files, too. What cannot be read leads to nothing; never throws for it.
 std::vector<std::filesystem::path> named_files(std::span<const std::filesystem::path> documents,
                                                const Overrides& overrides = {});
 

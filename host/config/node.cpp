@@ -106,6 +106,20 @@ Node Node::operator[](std::string_view key) const {
   return all[*found].value;
 }
 
+Node Node::laid() const {
+  if (!data_) return {};
+  auto data = std::make_shared<Data>(*data_);
+  data->where.laid = true;
+  for (Node& each : data->elements) each = each.laid();
+  for (Entry& each : data->entries) {
+    each.key_where.laid = true;
+    each.value = each.value.laid();
+  }
+  Node node;
+  node.data_ = std::move(data);
+  return node;
+}
+
 bool same(const Node& a, const Node& b) {
   if (a.data_ == b.data_) return true;
   if (a.kind() != b.kind() || a.text() != b.text()) return false;

@@ -20,6 +20,10 @@ namespace regista::config {
 struct Location {
   std::string file;
   int line = 0, column = 0;
+  // Of a value that a study lays over another document, as the command line does: relative names in it begin at the
+  // current folder.
+  bool laid = false;
+  bool is_laid() const { return laid || line == 0; }
   friend bool operator==(const Location&, const Location&) = default;
 };
 
@@ -59,6 +63,9 @@ class Node {
   std::span<const Node> elements() const;       // sequence; empty for every other kind
   std::span<const Entry> entries() const;       // map, in written order; empty for every other kind
   Node operator[](std::string_view key) const;  // absent when missing, and for every kind but a map
+
+  // The same, to be laid over another document.
+  Node laid() const;
 
   // Same structure and texts, wherever they stood and however they were quoted; the order of keys does not matter.
   friend bool same(const Node&, const Node&);

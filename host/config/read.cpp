@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 
 #include "config/file.hpp"
 #include "config/nearest.hpp"
@@ -41,12 +43,32 @@ struct Reader {
       throw Error(node.where(),
                   fmt::format("{}: {} is outside {}", what, value, range_text(integer.range, integer.unit)));
     }
-    integer.member.get() = static_cast<int>(value);
+    integer.set(value);
   }
 
   void operator()(const Boolean& boolean) const { boolean.member.get() = to_boolean(node, what); }
   void operator()(const Name& name) const { name.member.get() = to_name(node, what); }
-  void operator()(const File& file) const { file.member.get() = existing_file(node, what).string(); }
+  void operator()(const File& file) const {
+    std::error_code none;
+    const bool is_built_in = !file.built_in.empty() && node.text() == file.built_in &&
+                             (!mistakes.looks_for_files() || !std::filesystem::exists(named_file(node, what), none));
+    file.member.get() = is_built_in ? std::string() : file_of(node);
+  }
+
+  void operator()(const Paths& paths) const {
+    const bool one = node.kind() == Node::Kind::scalar;
+    const std::vector<Node> single{node};
+    paths.members->clear();
+    for (const Node& each : one ? std::span<const Node>(single) : elements_of(node, what, "a list of paths")) {
+      mistakes.attempt(what, [&] {
+        std::error_code none;
+        const bool folder = mistakes.looks_for_files() && std::filesystem::is_directory(named_file(each, what), none);
+        paths.members->push_back({folder ? std::filesystem::absolute(named_file(each, what)).lexically_normal().string()
+                                         : file_of(each),
+                                  each.where()});
+      });
+    }
+  }
 
   void operator()(const Choice& choice) const {
     const std::string asked = to_text(node, what);
@@ -116,6 +138,12 @@ struct Reader {
         std::visit(Reader{entry.value, path, mistakes}, field.kind);
       });
     }
+  }
+
+  // Absolute; of a document that is read back, as it stands there.
+  std::string file_of(const Node& named) const {
+    if (!mistakes.looks_for_files()) return to_text(named, what);
+    return existing_file(named, what).string();
   }
 
   void check_count(std::size_t count, std::size_t least, std::size_t most) const {
@@ -192,7 +220,7 @@ void check_known(const Node& node, const std::string& what, const std::vector<st
 // Of keys that exclude each other: the one that was laid over the others by a page that extends theirs, or by --set.
 // Null when all were written together.
 const Node::Entry* laid_over(const Node& node, const std::vector<const Node::Entry*>& keys) {
-  const auto by_option = [](const Node::Entry* each) { return each->value.where().line == 0; };
+  const auto by_option = [](const Node::Entry* each) { return each->value.where().is_laid(); };
   const auto here = [&](const Node::Entry* each) { return each->value.where().file == node.where().file; };
   const auto typed = std::ranges::find_if(keys, by_option);
   if (typed != keys.end()) return std::ranges::all_of(keys, by_option) ? nullptr : *typed;
@@ -256,7 +284,7 @@ void read(const Map& map, const Node& node, const std::string& what, Mistakes& m
   if (map.where) {
     // A plugin that the command line chose stands there, not where the page chose another one.
     const Node chosen = node["plugin"];
-    *map.where = chosen && chosen.where().line == 0 ? chosen.where() : node.where();
+    *map.where = chosen && chosen.where().is_laid() ? chosen.where() : node.where();
     if (mistakes.doubtful(inside(what, "plugin")) || mistakes.doubtful(inside(what, "file"))) {
       mistakes.doubt_place(*map.where);
     }

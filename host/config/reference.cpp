@@ -148,7 +148,7 @@ class TableWriter {
   }
   void write(const Field& field, const Integer& integer, const std::string& path) {
     row(path, "whole, " + range_text(integer.range, integer.unit), field,
-        integer.member.present() ? fmt::format("{}", integer.member.get()) : "");
+        integer.present() ? fmt::format("{}", integer.get()) : "");
   }
   void write(const Field& field, const Boolean& boolean, const std::string& path) {
     row(path, "`true` or `false`", field, !boolean.member.present() ? "" : boolean.member.get() ? "true" : "false");
@@ -156,7 +156,10 @@ class TableWriter {
   void write(const Field& field, const Name& name, const std::string& path) {
     row(path, "a name", field, name.member.present() ? name.member.get() : "");
   }
-  void write(const Field& field, const File&, const std::string& path) { row(path, "a file", field); }
+  void write(const Field& field, const File& file, const std::string& path) {
+    row(path, "a file", field, file.built_in);
+  }
+  void write(const Field& field, const Paths&, const std::string& path) { form(field, "paths", path); }
   void write(const Field& field, const Choice& choice, const std::string& path) {
     row(path, fmt::format("`{}`", fmt::join(choice.names, "`, `")), field, choice.names[choice.get()]);
   }

@@ -125,7 +125,7 @@ class SchemaWriter {
     Json result{{"type", "integer"},
                 {"minimum", static_cast<std::int64_t>(integer.range.least)},
                 {"maximum", static_cast<std::int64_t>(integer.range.most)}};
-    if (integer.member.present()) result["default"] = integer.member.get();
+    if (integer.present()) result["default"] = integer.get();
     return result;
   }
   Json value(const Boolean& boolean) const {
@@ -134,6 +134,7 @@ class SchemaWriter {
     return result;
   }
   Json value(const Name&) const { return {{"type", "string"}, {"pattern", name_pattern}, {"maxLength", 64}}; }
+  Json value(const Paths&) const { return {{"$ref", "#/$defs/paths"}}; }
   Json value(const File&) const { return {{"type", "string"}, {"minLength", 1}}; }
   Json value(const Choice& choice) const { return {{"enum", choice.names}}; }
   Json value(const Numbers& numbers) const {

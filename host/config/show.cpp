@@ -60,7 +60,7 @@ class Page {
     if (real.member.present()) line(field, scaled_text(real.member.get(), real.scale), real.unit, node, indent);
   }
   void write(const Field& field, const Integer& integer, const Node& node, int indent) {
-    if (integer.member.present()) line(field, fmt::format("{}", integer.member.get()), integer.unit, node, indent);
+    if (integer.present()) line(field, fmt::format("{}", integer.get()), integer.unit, node, indent);
   }
   void write(const Field& field, const Boolean& boolean, const Node& node, int indent) {
     if (boolean.member.present()) line(field, boolean.member.get() ? "true" : "false", "", node, indent);
@@ -71,6 +71,11 @@ class Page {
   void write(const Field& field, const File& file, const Node& node, int indent) {
     const bool there = file.member.present() && !file.member.get().empty();
     if (there) line(field, flow_text(file.member.get(), true), "", node, indent);
+  }
+  void write(const Field& field, const Paths& paths, const Node& node, int indent) {
+    std::string all;
+    for (const NamedPath& each : *paths.members) all += (all.empty() ? "" : ", ") + flow_text(each.path, true);
+    if (!all.empty()) line(field, '[' + all + ']', "", node, indent);
   }
   void write(const Field& field, const Choice& choice, const Node& node, int indent) {
     line(field, choice.names[choice.get()], "", node, indent);

@@ -35,45 +35,27 @@ static Map declare(TournamentTest& test) {
 }
 
 Map declare(Tournament& tournament) {
-  return {{
-      required(name("tournament", tournament.name, "name of this tournament")),
-      line("question", tournament.question, "what it is to answer"),
-      required(list("teams", tournament.teams, 2, 1000, "that play")),
-      choice("format", tournament.format, {"round_robin", "gauntlet"},
-             "of more than two teams: all against all, or the first against each of the others"),
-      integer("pairs", tournament.pairs, {1, 10000000}, "1",
-              "of matches with the sides swapped, of each pairing; with a test: at most"),
-      section("test", tournament.test, "a sequential test between two teams; without it all pairs are played"),
-      integer("seed", tournament.seed, {0, 2147483647}, "1", "of the first pair of matches"),
-      paths("openings", tournament.openings, "scenes that matches start from: files, or folders of them"),
-      real("limit", tournament.limit, {0.1, 1e6}, "s", "after which each match ends"),
-      file("rules", tournament.rules, "rules profile; without it spl2023, built in"),
-      file("robot", tournament.robot, "robot profile of all; without it nao, built in"),
-      file("disturbance", tournament.disturbance, "of all teams; without it none"),
-      free("set", tournament.set, "settings",
-           "values laid over documents, by path; a path that begins with a is of the first team, b of the second"),
-      integer("failures_in_a_row", tournament.failures_in_a_row, {0, 1000000}, "1",
-              "forfeits by the same plugin after which a team is set aside; 0: never"),
-      choice("isolation", tournament.isolation, isolation_names(), isolation_doc),
-      boolean("play_twice", tournament.play_twice, play_twice_doc),
-      boolean("allow_shared_memory", tournament.allow_shared_memory, allow_shared_memory_doc),
-  }};
+  return {joined(
+      {
+          without_effect(required(name("tournament", tournament.name, "name of this tournament"))),
+          without_effect(line("question", tournament.question, "what it is to answer")),
+          required(list("teams", tournament.teams, 2, 1000, "that play")),
+          choice("format", tournament.format, {"round_robin", "gauntlet"},
+                 "of more than two teams: all against all, or the first against each of the others"),
+          integer("pairs", tournament.pairs, {1, 10000000}, "1",
+                  "of matches with the sides swapped, of each pairing; with a test: at most"),
+          section("test", tournament.test, "a sequential test between two teams; without it all pairs are played"),
+          integer("seed", tournament.seed, {0, largest_seed}, "1", "of the first pair of matches"),
+          profile("disturbance", tournament.disturbance, "none", "of all teams; `none` is built in"),
+          integer("failures_in_a_row", tournament.failures_in_a_row, {0, 1000000}, "1",
+                  "forfeits by the same plugin after which a team is set aside; 0: never"),
+      },
+      fields_of(
+          tournament.settings,
+          "values laid over documents, by path; a path that begins with a is of the first team, b of the second"))};
 }
 
 void check(const Tournament& tournament, const Node& document, Mistakes& mistakes) {
-  for (std::size_t i = 0; i < tournament.teams.size(); ++i) {
-    const Tournament::Team& team = tournament.teams[i];
-    const bool again = std::any_of(
-        tournament.teams.begin(), tournament.teams.begin() + static_cast<std::ptrdiff_t>(i), [&](const auto& other) {
-          return !team.team.empty() && other.team == team.team && other.disturbance == team.disturbance;
-        });
-    // Two teams of one file can differ by what disturbs them, or by what is set.
-    if (again && tournament.set.entries().empty()) {
-      mistakes.add(Error(team.where, fmt::format("teams: {} a second time; nothing would tell the two apart",
-                                                 document["teams"].elements()[i]["team"].text())),
-                   fmt::format("teams.{}", i));
-    }
-  }
   if (tournament.test && tournament.teams.size() > 2) {
     refuse(document, {"test", "teams"},
            fmt::format("test: a sequential test is between two teams, and there are {}; pairs alone rank more of them",

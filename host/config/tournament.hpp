@@ -4,13 +4,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "config/declaration.hpp"
-#include "config/isolation.hpp"
-#include "config/path_list.hpp"
+#include "config/match_settings.hpp"
 
 namespace regista::config {
 
@@ -40,15 +40,10 @@ struct Tournament {
   Format format = Format::round_robin;
   std::optional<int> pairs;  // of matches, of each pairing; with a test: at most
   std::optional<Test> test;
-  int seed = 1;
-  std::vector<NamedPath> openings;
-  std::optional<double> limit;            // s of a match
-  std::string rules, robot, disturbance;  // files; empty: the built-in values
-  Node set;                               // map or absent
-  int failures_in_a_row = 10;
-  Isolation isolation = Isolation::after_death;
-  bool play_twice = true;
-  bool allow_shared_memory = false;
+  std::int64_t seed = 1;       // of the first pair; the next one has the next
+  std::string disturbance;     // file, of all teams; empty: none
+  int failures_in_a_row = 10;  // after so many forfeits by the same plugin a team is set aside; 0: never
+  MatchSettings settings;
 };
 
 Map declare(Tournament& tournament);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "config/line.hpp"
-#include "config/path_list.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/text.hpp"
@@ -185,29 +184,23 @@ static Map declare(Tuning::Slices& slices) {
 }
 
 Map declare(Tuning& tuning) {
-  return {{
-      required(name("tuning", tuning.name, "name of this tuning")),
-      line("question", tuning.question, "what it is to answer"),
-      required(file("team", tuning.team, "the team that is tuned: the base")),
-      required(list("opponents", tuning.opponents, 1, 32, "that it plays against")),
-      required(tuned_paths("parameters", tuning.parameters, "values of the team that may change")),
-      section("objective", tuning.objective, "what counts as better; without it goal_difference is maximised"),
-      integer("seed", tuning.seed, {0, 2147483647}, "1", "of the search, and of the first matches"),
-      file("rules", tuning.rules, "rules profile; without it spl2023, built in"),
-      file("robot", tuning.robot, "robot profile of all; without it nao, built in"),
-      file("disturbance", tuning.disturbance, "disturbance of the tuned team; without it none"),
-      file("opponent_disturbance", tuning.opponent_disturbance, "of the opponents; without it none"),
-      paths("openings", tuning.openings, "scenes that matches start from: files, or folders of them"),
-      real("limit", tuning.limit, {0.1, 1e6}, "s", "after which each match ends"),
-      free("set", tuning.set, "settings", "values laid over documents, by path"),
-      section("search", tuning.search, "how the space is searched"),
-      section("selection", tuning.selection, "which of the points found are candidates"),
-      section("verification", tuning.verification, "whether they are better than the base team"),
-      section("slices", tuning.slices, "what each parameter does around the tuned point"),
-      choice("isolation", tuning.isolation, isolation_names(), isolation_doc),
-      boolean("play_twice", tuning.play_twice, play_twice_doc),
-      boolean("allow_shared_memory", tuning.allow_shared_memory, allow_shared_memory_doc),
-  }};
+  return {joined(
+      {
+          required(name("tuning", tuning.name, "name of this tuning")),
+          without_effect(line("question", tuning.question, "what it is to answer")),
+          required(file("team", tuning.team, "the team that is tuned: the base")),
+          required(list("opponents", tuning.opponents, 1, 32, "that it plays against")),
+          required(tuned_paths("parameters", tuning.parameters, "values of the team that may change")),
+          section("objective", tuning.objective, "what counts as better; without it goal_difference is maximised"),
+          integer("seed", tuning.seed, {0, 2147483647}, "1", "of the search, and of the first matches"),
+          profile("disturbance", tuning.disturbance, "none", "of the tuned team; `none` is built in"),
+          profile("opponent_disturbance", tuning.opponent_disturbance, "none", "of the opponents"),
+          section("search", tuning.search, "how the space is searched"),
+          section("selection", tuning.selection, "which of the points found are candidates"),
+          section("verification", tuning.verification, "whether they are better than the base team"),
+          section("slices", tuning.slices, "what each parameter does around the tuned point"),
+      },
+      fields_of(tuning.settings, "values laid over documents, by path"))};
 }
 
 void check(const Tuning& tuning, const Node& document, Mistakes& mistakes) {

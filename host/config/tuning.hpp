@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "config/declaration.hpp"
-#include "config/isolation.hpp"
-#include "config/path_list.hpp"
+#include "config/match_settings.hpp"
 
 namespace regista::config {
 
@@ -69,19 +68,13 @@ struct Tuning {
   std::vector<Opponent> opponents;
   std::vector<TunedPath> parameters;
   TuningObjective objective;
-  std::string rules, robot;                       // files; empty: the built-in values
-  std::string disturbance, opponent_disturbance;  // of the tuned team, of its opponents
-  std::vector<NamedPath> openings;
-  std::optional<double> limit;  // s of a match
-  Node set;                     // map or absent
-  int seed = 1;
+  std::string disturbance, opponent_disturbance;  // files; of the tuned team, of its opponents; empty: none
+  int seed = 1;                                   // with every other number of a stage below 2^40
   Search search;
   Selection selection;
   Verification verification;
   Slices slices;
-  Isolation isolation = Isolation::after_death;
-  bool play_twice = true;
-  bool allow_shared_memory = false;
+  MatchSettings settings;
 };
 
 Map declare(Tuning& tuning);

@@ -11,7 +11,6 @@
 #include "config/bad_input.hpp"
 #include "report/experiment_figures.hpp"
 #include "report/gnuplot.hpp"
-#include "report/search_comparison_figures.hpp"
 #include "report/svg.hpp"
 #include "report/tuning_figures.hpp"
 
@@ -51,8 +50,7 @@ void remove_study_figures(const fs::path& folder) {
     if (!fs::is_regular_file(each.symlink_status(unknown))) continue;
     const bool ours = std::ranges::find(figure_endings, file.extension().string()) != figure_endings.end();
     const std::string stem = file.stem().string();
-    const bool known = report::is_experiment_figure(stem) || report::is_tuning_figure(stem) ||
-                       report::is_search_comparison_figure(stem);
+    const bool known = report::is_experiment_figure(stem) || report::is_tuning_figure(stem);
     if (ours && known) found.push_back(file);
   }
   for (const fs::path& each : found) fs::remove(each, error);

@@ -92,7 +92,8 @@ std::vector<fs::path> OutputFiles::documents() const {
   std::vector<fs::path> out;
   for (const Named& named : reads_) {
     if (named.what == Reads::documents)
-      std::ranges::move(config::named_files(named.files, named.overrides), std::back_inserter(out));
+      std::ranges::move(config::named_files(named.files, config::typed_overrides(named.overrides)),
+                        std::back_inserter(out));
   }
   return out;
 }

@@ -22,10 +22,9 @@ using Begins = std::string_view;
 constexpr std::array recording{Begins(mcap::magic.substr(0, mcap::version_in_magic))};
 constexpr std::array decisions{recording::decision_log_begin};
 constexpr std::array metrics{report::metrics_csv_head};
-constexpr std::array match_table{Begins("row,arm")};             // report::experiment_csv_head
-constexpr std::array summary_table{Begins("measure,unit,arm")};  // report::experiment_summary_csv
-constexpr std::array search_table{Begins("evaluation,pairs_from,"),
-                                  Begins("algorithm,repeat,")};  // tuning_csv, search_comparison_csv
+constexpr std::array match_table{Begins("row,arm")};                  // report::experiment_csv_head
+constexpr std::array summary_table{Begins("measure,unit,arm")};       // report::experiment_summary_csv
+constexpr std::array search_table{Begins("evaluation,pairs_from,")};  // tuning_csv
 constexpr std::array tuned_team{report::tuned_file_begin};
 constexpr std::array markup{Begins("<")};
 constexpr Begins database = "SQLite format 3";

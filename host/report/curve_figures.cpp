@@ -115,7 +115,8 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
     if (each.pair > 0) points.push_back({each.pair, each.value});
   }
   if (!has_points(points)) return std::nullopt;
-  const auto* const test = std::get_if<study::ValueTest>(&view.plan.objective);
+  const study::Objective objective = view.plan.objective();
+  const auto* const test = std::get_if<study::ValueTest>(&objective);
   const bool goals = test == nullptr || test->value == study::goals_value;
   Figure out;
   out.name = "value";
@@ -142,7 +143,7 @@ std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<con
     last = each.pair;
   }
   if (last == 0) return std::nullopt;
-  const auto& hypotheses = std::get<study::ScoreTest>(view.plan.objective).design.hypotheses;
+  const auto hypotheses = std::get<study::ScoreTest>(view.plan.objective()).design.hypotheses;
   out.description =
       fmt::format("The test stops at the upper line, for H1 ({} is {} stronger), or at the lower one, for H0 ({}).",
                   view.label(0), hypotheses.elo1, hypotheses.elo0);

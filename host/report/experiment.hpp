@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "report/what_was_played.hpp"
 #include "study/experiment.hpp"
 #include "study/experiment_plan.hpp"
 
@@ -21,6 +22,8 @@ struct ExperimentView {
   // The command that plays a match of the schedule by itself.
   std::function<std::string(std::uint64_t match)> again;
 };
+
+WhatWasPlayed what_was_played(const study::ExperimentPlan& plan);
 
 // "role_overlap: 3 arms against spqr2023, 36 matches each"
 std::string experiment_title(const ExperimentView& view);

@@ -12,13 +12,13 @@ namespace {
 
 std::string arm_fields(const study::ExperimentPlan& plan, std::size_t condition) {
   const study::Condition& each = plan.conditions[condition];
-  std::string out = csv_field(plan.arms[each.arm].name);
-  if (plan.swept()) out += ',' + csv_field(plan.values[each.value]);
+  std::string out = csv_field(plan.asked.arms[each.arm].name);
+  if (plan.swept()) out += ',' + csv_field(plan.value(each.value));
   return out;
 }
 
 std::string head_of_arm(const study::ExperimentPlan& plan) {
-  return plan.swept() ? "arm," + csv_field(plan.sweep) : std::string("arm");
+  return plan.swept() ? "arm," + csv_field(plan.sweep()) : std::string("arm");
 }
 
 std::string scene(const study::ExperimentPlan& plan, const study::Trial& trial) {
@@ -66,7 +66,7 @@ std::string experiment_summary_csv(const ExperimentView& view) {
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
     for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
       const study::MeanEstimate mean = view.course.mean(i, measure);
-      const study::MeanEstimate per_match = study::mean_of(view.course.per_match(i, measure), plan.confidence);
+      const study::MeanEstimate per_match = study::mean_of(view.course.per_match(i, measure), plan.asked.confidence);
       const bool known = mean.interval.has_value();
       out += fmt::format("{},{},{},{},{},{},{},{}\n", csv_field(plan.measures[measure]),
                          study::unit_of(plan.measures[measure]), arm_fields(plan, i), mean.pairs,

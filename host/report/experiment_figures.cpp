@@ -32,14 +32,15 @@ std::string arm_colour(std::size_t arm) { return std::string(colours[arm % colou
 
 int key_columns(const study::ExperimentPlan& plan) {
   std::size_t widest = 0;
-  for (const study::Arm& arm : plan.arms) widest = std::max(widest, gnuplot_text(arm.name).size() - 2);
+  for (const config::Experiment::Arm& arm : plan.asked.arms)
+    widest = std::max(widest, gnuplot_text(arm.name).size() - 2);
   return std::clamp(static_cast<int>(1000.0 / (8.2 * static_cast<double>(widest) + 50.0)), 1,
-                    static_cast<int>(plan.arms.size()));
+                    static_cast<int>(plan.asked.arms.size()));
 }
 
 int key_rows(const study::ExperimentPlan& plan) {
   const int columns = key_columns(plan);
-  return (static_cast<int>(plan.arms.size()) + columns - 1) / columns;
+  return (static_cast<int>(plan.asked.arms.size()) + columns - 1) / columns;
 }
 
 bool is_experiment_figure(std::string_view name) {

@@ -33,10 +33,11 @@ const char* by_text(study::PairMethod by) {
 std::string means_text(const ExperimentView& view, std::size_t measure, std::size_t value) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<std::string> means;
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
     const study::MeanEstimate mean = view.course.mean(plan.condition(arm, value), measure);
     if (mean.pairs == 0) continue;
-    means.push_back(fmt::format("{} {}", visible(plan.arms[arm].name), rounded(mean.mean, half_width(mean.interval))));
+    means.push_back(
+        fmt::format("{} {}", visible(plan.asked.arms[arm].name), rounded(mean.mean, half_width(mean.interval))));
   }
   return means.empty() ? std::string("no arm has a value") : config::join(means);
 }
@@ -60,7 +61,7 @@ std::string test_text(const study::ExperimentPlan& plan, const Finding& finding)
                        pairs_in_words(finding.unplayed_pairs));
   }
   out += '.';
-  if (plan.test == study::PairTest::paired_t && finding.by != study::PairMethod::student_t) {
+  if (plan.test() == study::PairTest::paired_t && finding.by != study::PairMethod::student_t) {
     out += " Every pair differs by as much: without spread Student's t is not defined.";
   }
   return out;
@@ -73,7 +74,7 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
   const std::string second = visible(label(plan, finding.comparison.second));
   const study::MeanEstimate& difference = finding.difference;
   if (difference.pairs == 0) return fmt::format("{} and {}: no pair has both values.", first, second);
-  const std::string numbers = difference_text(difference, plan.confidence);
+  const std::string numbers = difference_text(difference, plan.asked.confidence);
   if (study::equal_conditions(plan, finding.comparison)) {
     return fmt::format("{} and {} are equal to the last byte, so there is no difference by construction: {}.", first,
                        second, numbers);
@@ -96,23 +97,23 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
   const auto measure = study::primary_measure(plan);
   if (!measure) return {};
   std::vector<std::string> out;
-  for (std::size_t value = 0; value < plan.values.size(); ++value) {
-    const std::string at = plan.swept() ? fmt::format(" at {}", visible(plan.values[value])) : std::string();
-    out.push_back(fmt::format("Means of {}, {}{}: {}.", visible(plan.primary), study::unit_of(plan.primary), at,
+  for (std::size_t value = 0; value < plan.values(); ++value) {
+    const std::string at = plan.swept() ? fmt::format(" at {}", visible(plan.value(value))) : std::string();
+    out.push_back(fmt::format("Means of {}, {}{}: {}.", visible(plan.primary()), study::unit_of(plan.primary()), at,
                               means_text(view, *measure, value)));
   }
   const std::vector<Finding> all = study::findings(plan, view.course);
   for (const Finding& each : all) out.push_back(comparison_text(view, each));
-  if (plan.comparisons.empty() || !view.course.complete()) return out;
+  if (plan.comparisons().empty() || !view.course.complete()) return out;
   if (std::ranges::any_of(all, [](const Finding& each) { return each.adjusted && !each.found && !each.prevented; })) {
     out.push_back(
         "\"No difference was found\" does not show that there is none: the interval says how large one may be.");
   }
   out.push_back(fmt::format(
       "The plan fixed the test before the first match: {}, {} at {:.4g} %, two-sided, corrected by Holm.",
-      plan.test == study::PairTest::paired_t ? "Student's t test of the differences of pairs"
-                                             : "sign-flip test of the differences of pairs",
-      config::counted(plan.comparisons.size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.confidence)));
+      plan.test() == study::PairTest::paired_t ? "Student's t test of the differences of pairs"
+                                               : "sign-flip test of the differences of pairs",
+      config::counted(plan.comparisons().size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.asked.confidence)));
   return out;
 }
 

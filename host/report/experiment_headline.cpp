@@ -35,11 +35,11 @@ std::string in_a_row(const std::vector<std::string>& names) {
 }
 
 std::string arm_name(const study::ExperimentPlan& plan, std::size_t condition) {
-  return visible(plan.arms[plan.conditions[condition].arm].name);
+  return visible(plan.asked.arms[plan.conditions[condition].arm].name);
 }
 
 std::string value_name(const study::ExperimentPlan& plan, std::size_t condition) {
-  return visible(plan.values[plan.conditions[condition].value]);
+  return visible(plan.value(plan.conditions[condition].value));
 }
 
 // Who has more, and who less.
@@ -74,7 +74,7 @@ Sorted sorted(const ExperimentView& view, const std::vector<Finding>& all) {
 // Conditions from the one with most to the one with least; nothing unless every two of them were compared and a
 // difference found.
 std::optional<std::vector<std::size_t>> whole_order(const study::ExperimentPlan& plan, const Sorted& of) {
-  const std::size_t arms = plan.arms.size();
+  const std::size_t arms = plan.asked.arms.size();
   if (plan.swept() || arms < 2 || of.found.size() != arms * (arms - 1) / 2) return std::nullopt;
   std::vector<std::vector<bool>> more(arms, std::vector<bool>(arms, false));
   for (const Finding* const each : of.found) more[order_of(*each).more][order_of(*each).less] = true;
@@ -110,11 +110,11 @@ std::string order_sentence(const ExperimentView& view, const std::vector<std::si
   const study::ExperimentPlan& plan = view.plan;
   const bool with_means = means_agree(view, order);
   if (order.size() == 2) {
-    std::string out = fmt::format("{} has more {} than {}", arm_name(plan, order[0]), visible(plan.primary),
+    std::string out = fmt::format("{} has more {} than {}", arm_name(plan, order[0]), visible(plan.primary()),
                                   arm_name(plan, order[1]));
     if (with_means) {
       out += fmt::format(": {} against {} {}", mean_text(view, order[0]), mean_text(view, order[1]),
-                         study::unit_of(plan.primary));
+                         study::unit_of(plan.primary()));
     }
     return out + '.';
   }
@@ -122,7 +122,7 @@ std::string order_sentence(const ExperimentView& view, const std::vector<std::si
   for (const std::size_t arm : order) {
     chain += (chain.empty() ? "" : " > ") + arm_name(plan, arm) + (with_means ? ' ' + mean_text(view, arm) : "");
   }
-  return fmt::format("{}, {}: {}. Every difference was found.", visible(plan.primary), study::unit_of(plan.primary),
+  return fmt::format("{}, {}: {}. Every difference was found.", visible(plan.primary()), study::unit_of(plan.primary()),
                      chain);
 }
 
@@ -146,7 +146,7 @@ void add(std::vector<Clause>& clauses, const Clause& one) {
 
 Clause clause_of(const study::ExperimentPlan& plan, const Finding& found) {
   const auto [more, less] = order_of(found);
-  const auto what = visible(plan.primary);
+  const auto what = visible(plan.primary());
   const study::Condition &high = plan.conditions[more], &low = plan.conditions[less];
   if (!plan.swept())
     return {fmt::format("{} has more {} than ", arm_name(plan, more), what), "", {arm_name(plan, less)}};
@@ -167,12 +167,12 @@ Clause clause_of(const study::ExperimentPlan& plan, const Finding& found) {
 }
 
 std::string sentence_of(const study::ExperimentPlan& plan, const Clause& clause) {
-  const std::string sweep = clause.of_values ? " of " + visible(plan.sweep) : std::string();
+  const std::string sweep = clause.of_values ? " of " + visible(plan.sweep()) : std::string();
   std::string names = in_a_row(clause.names);
-  if (clause.of_values && clause.after.empty() && clause.names.size() == plan.values.size()) {
-    names = fmt::format("each of the {} values", plan.values.size());
+  if (clause.of_values && clause.after.empty() && clause.names.size() == plan.values()) {
+    names = fmt::format("each of the {} values", plan.values());
   } else if (clause.names.size() > most_names) {
-    names = clause.of_values ? fmt::format("{} of {} values", clause.names.size(), plan.values.size())
+    names = clause.of_values ? fmt::format("{} of {} values", clause.names.size(), plan.values())
                              : fmt::format("{} other arms", clause.names.size());
   }
   return clause.before + names + sweep + clause.after + '.';
@@ -202,7 +202,7 @@ std::string between(const study::ExperimentPlan& plan, const study::Comparison& 
 std::string undecided_sentence(const study::ExperimentPlan& plan, const std::vector<const Finding*>& open) {
   if (open.empty()) return {};
   if (open.size() > most_undecided) {
-    return fmt::format(" No difference was found in {} of {} comparisons.", open.size(), plan.comparisons.size());
+    return fmt::format(" No difference was found in {} of {} comparisons.", open.size(), plan.comparisons().size());
   }
   std::vector<std::string> pairs;
   for (const Finding* const each : open) pairs.push_back(between(plan, each->comparison));
@@ -213,23 +213,23 @@ std::string undecided_sentence(const study::ExperimentPlan& plan, const std::vec
 // --- None -----------------------------------------------------------------------------------------------------------
 
 std::string none_found(const study::ExperimentPlan& plan, const std::vector<const Finding*>& open) {
-  const std::size_t arms = plan.arms.size();
+  const std::size_t arms = plan.asked.arms.size();
   const bool any_two = !plan.swept() && open.size() == arms * (arms - 1) / 2;
   const std::string where = open.size() == 1 ? "between " + between(plan, open.front()->comparison)
                             : any_two        ? fmt::format("between any two of the {} arms", arms)
                                              : fmt::format("in any of {} comparisons", open.size());
-  return fmt::format("No difference in {} was found {}. This does not show that there is none.", visible(plan.primary),
-                     where);
+  return fmt::format("No difference in {} was found {}. This does not show that there is none.",
+                     visible(plan.primary()), where);
 }
 
 std::string of_one_condition(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   if (plan.conditions.size() > 1) return "Nothing was compared: the experiment plans no comparison.";
   const study::MeanEstimate mean = view.course.mean(0, *study::primary_measure(plan));
-  if (mean.pairs == 0) return fmt::format("{} has no value.", visible(plan.primary));
+  if (mean.pairs == 0) return fmt::format("{} has no value.", visible(plan.primary()));
   return fmt::format("{} has {} {}, {}. There is no other arm to compare it with.", arm_name(plan, 0),
-                     rounded(mean.mean, half_width(mean.interval)), visible(plan.primary),
-                     study::unit_of(plan.primary));
+                     rounded(mean.mean, half_width(mean.interval)), visible(plan.primary()),
+                     study::unit_of(plan.primary()));
 }
 
 std::string rest(const study::ExperimentPlan& plan, const Sorted& of) {
@@ -253,7 +253,7 @@ std::string headline_of_experiment(const ExperimentView& view) {
     return fmt::format("Not at its end: {} of {} matches. Nothing is tested yet.", view.course.taken(), plan.matches());
   }
   if (!study::primary_measure(plan)) return "The experiment names no primary measure, so nothing was tested.";
-  if (plan.comparisons.empty()) return of_one_condition(view);
+  if (plan.comparisons().empty()) return of_one_condition(view);
   const std::vector<Finding> all = study::findings(plan, view.course);
   const Sorted of = sorted(view, all);
   if (const auto order = whole_order(plan, of)) return order_sentence(view, *order);
@@ -262,7 +262,7 @@ std::string headline_of_experiment(const ExperimentView& view) {
                                        : std::string();
   if (out.empty() && of.prevented.size() == all.size()) return prevented_headline(view.course.unplayed_pairs()) + '.';
   if (out.empty() && of.untested.size() == all.size()) {
-    return fmt::format("There are too few pairs for a test of {}.", visible(plan.primary));
+    return fmt::format("There are too few pairs for a test of {}.", visible(plan.primary()));
   }
   out += rest(plan, of);
   return out.front() == ' ' ? out.substr(1) : out;
@@ -271,7 +271,7 @@ std::string headline_of_experiment(const ExperimentView& view) {
 }  // namespace
 
 std::string experiment_headline(const ExperimentView& view) {
-  return caution(view.course.remarks(), view.plan.limits) + headline_of_experiment(view);
+  return caution(view.course.remarks(), view.plan.limits()) + headline_of_experiment(view);
 }
 
 }  // namespace regista::report

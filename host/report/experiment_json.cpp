@@ -6,6 +6,7 @@
 #include "report/match_remarks.hpp"
 #include "report/number_json.hpp"
 #include "report/packets_spent.hpp"
+#include "study/settings.hpp"
 
 namespace regista::report {
 namespace {
@@ -14,8 +15,8 @@ using Json = nlohmann::ordered_json;
 
 Json condition(const study::ExperimentPlan& plan, std::size_t index) {
   const study::Condition& each = plan.conditions[index];
-  Json out{{"arm", plan.arms[each.arm].name}};
-  if (plan.swept()) out["value"] = plan.values[each.value];
+  Json out{{"arm", plan.asked.arms[each.arm].name}};
+  if (plan.swept()) out["value"] = plan.value(each.value);
   return out;
 }
 
@@ -25,11 +26,11 @@ Json measure_json(const ExperimentView& view, std::size_t measure) {
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     Json each = condition(plan, i);
     each.update(json_of(view.course.mean(i, measure)));
-    const study::MeanEstimate per_match = study::mean_of(view.course.per_match(i, measure), plan.confidence);
+    const study::MeanEstimate per_match = study::mean_of(view.course.per_match(i, measure), plan.asked.confidence);
     each["per_match"] = per_match.pairs > 0 ? Json(per_match.mean) : Json(nullptr);
     conditions.push_back(each);
   }
-  for (const study::Comparison& comparison : plan.comparisons) {
+  for (const study::Comparison& comparison : plan.comparisons()) {
     Json each{{"first", condition(plan, comparison.first)}, {"second", condition(plan, comparison.second)}};
     each.update(json_of(view.course.difference(comparison, measure)));
     differences.push_back(each);
@@ -42,7 +43,7 @@ Json measure_json(const ExperimentView& view, std::size_t measure) {
 
 Json primary_json(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  if (plan.primary.empty()) return nullptr;
+  if (plan.primary().empty()) return nullptr;
   Json comparisons = Json::array();
   for (const study::Finding& finding : study::findings(plan, view.course)) {
     Json each{{"first", condition(plan, finding.comparison.first)},
@@ -57,7 +58,7 @@ Json primary_json(const ExperimentView& view) {
     each["equal_by_construction"] = study::equal_conditions(plan, finding.comparison);
     comparisons.push_back(each);
   }
-  return {{"measure", plan.primary}, {"test", name(plan.test)}, {"comparisons", comparisons}};
+  return {{"measure", plan.primary()}, {"test", study::name(plan.test())}, {"comparisons", comparisons}};
 }
 
 }  // namespace
@@ -65,22 +66,25 @@ Json primary_json(const ExperimentView& view) {
 std::string experiment_json(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   Json out;
-  out["experiment"] = plan.name;
-  out["question"] = plan.question;
+  out["played"] = played_json(what_was_played(plan));
+  out["experiment"] = plan.asked.name;
+  out["question"] = plan.asked.question;
   Json arms = Json::array();
-  for (const study::Arm& arm : plan.arms) {
-    arms.push_back({{"name", arm.name}, {"team", arm.file}, {"set", arm.settings}});
+  for (const config::Experiment::Arm& arm : plan.asked.arms) {
+    arms.push_back({{"name", arm.name},
+                    {"team", arm.team.empty() ? plan.asked.team : arm.team},
+                    {"set", study::as_typed(study::settings_of(arm.set, "set"))}});
   }
   out["arms"] = arms;
-  out["opponent"] = plan.opponent;
-  out["sweep"] = plan.swept() ? Json{{"path", plan.sweep}, {"values", plan.values}} : Json(nullptr);
+  out["opponent"] = plan.asked.opponent;
+  out["sweep"] = plan.swept() ? Json{{"path", plan.sweep()}, {"values", plan.value_texts()}} : Json(nullptr);
   out["pairs"] = plan.pairs;
-  out["first_seed"] = plan.first_seed;
+  out["first_seed"] = plan.first_seed();
   out["openings"] = plan.openings.size();
   out["matches"] = view.course.taken();
   out["planned_matches"] = plan.matches();
   out["complete"] = view.course.complete();
-  out["confidence"] = plan.confidence;
+  out["confidence"] = plan.asked.confidence;
   Json played = Json::array();
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     Json each = condition(plan, i);

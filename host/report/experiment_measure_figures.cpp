@@ -17,7 +17,7 @@ namespace {
 std::string description(const study::ExperimentPlan& plan, const std::string& measure, const char* interval) {
   return fmt::format("{}, with {} of {:.4g} %.",
                      study::is_time(measure) ? "Minutes in 60 minutes of play" : "Mean of a match", interval,
-                     100.0 * plan.confidence);
+                     100.0 * plan.asked.confidence);
 }
 
 // "packets, per match", for gnuplot.
@@ -43,7 +43,7 @@ std::string row_commands(const std::vector<std::string>& names, const Figure& fi
 
 std::string names_of_arms(const study::ExperimentPlan& plan) {
   std::string out;
-  for (const study::Arm& arm : plan.arms) {
+  for (const config::Experiment::Arm& arm : plan.asked.arms) {
     for (const char* end : {"", " low", " high"}) out += ',' + figure_field(arm.name + end);
   }
   return out;
@@ -61,8 +61,8 @@ std::optional<double> number_of(const std::string& text) {
 
 // From the least value to the largest; by powers of ten where these are far apart.
 std::string x_axis(const study::ExperimentPlan& plan) {
-  double least = *number_of(plan.values.front()), most = least;
-  for (const std::string& each : plan.values) {
+  double least = *number_of(plan.value(0)), most = least;
+  for (const std::string& each : plan.value_texts()) {
     least = std::min(least, *number_of(each));
     most = std::max(most, *number_of(each));
   }
@@ -75,17 +75,17 @@ std::string x_axis(const study::ExperimentPlan& plan) {
 
 std::string curve_commands(const study::ExperimentPlan& plan, const std::string& name, const std::string& measure) {
   std::string out = fmt::format("set xlabel {}\nset ylabel '{}'\nset offsets 0, 0, graph 0.05, graph 0.02\n{}plot ",
-                                gnuplot_text(plan.sweep), study::unit_of(measure), x_axis(plan));
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+                                gnuplot_text(plan.sweep()), study::unit_of(measure), x_axis(plan));
+  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
     out += fmt::format(
         "'{0}.csv' using 1:{1}:{2} with filledcurves lc rgb '{3}' fs transparent solid 0.18 noborder notitle, \\\n    "
         " ",
         name, 3 * arm + 4, 3 * arm + 5, arm_colour(arm));
   }
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
     out += fmt::format("'' using 1:{} with linespoints lc rgb '{}' lw 2 pt {} ps 0.7 title {}{}", 3 * arm + 3,
-                       arm_colour(arm), 5 + 2 * (arm % 5), gnuplot_text(plan.arms[arm].name),
-                       arm + 1 < plan.arms.size() ? ", \\\n     " : "\n");
+                       arm_colour(arm), 5 + 2 * (arm % 5), gnuplot_text(plan.asked.arms[arm].name),
+                       arm + 1 < plan.asked.arms.size() ? ", \\\n     " : "\n");
   }
   return out;
 }
@@ -95,15 +95,16 @@ std::string value_rows_commands(const ExperimentView& view, const Figure& figure
   const study::ExperimentPlan& plan = view.plan;
   AxisRange range;
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) range.take(view.course.mean(i, measure));
-  std::string out = fmt::format("{}set xlabel {}\nset xrange {}\nset bars 0.4\nplot ",
-                                row_commands(plan.values, figure), measure_label(plan.measures[measure]), range.axis());
-  const double step = 0.8 / static_cast<double>(plan.arms.size());
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+  std::string out =
+      fmt::format("{}set xlabel {}\nset xrange {}\nset bars 0.4\nplot ", row_commands(plan.value_texts(), figure),
+                  measure_label(plan.measures[measure]), range.axis());
+  const double step = 0.8 / static_cast<double>(plan.asked.arms.size());
+  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
     out += fmt::format("{} using {}:(-$1{:+.4f}):{}:{} with xerrorbars lc rgb '{}' lw 2 pt {} ps 0.7 title {}{}",
                        arm == 0 ? '\'' + figure.name + ".csv'" : "''", 3 * arm + 3,
                        0.4 - (static_cast<double>(arm) + 0.5) * step, 3 * arm + 4, 3 * arm + 5, arm_colour(arm),
-                       5 + 2 * (arm % 5), gnuplot_text(plan.arms[arm].name),
-                       arm + 1 < plan.arms.size() ? ", \\\n     " : "\n");
+                       5 + 2 * (arm % 5), gnuplot_text(plan.asked.arms[arm].name),
+                       arm + 1 < plan.asked.arms.size() ? ", \\\n     " : "\n");
   }
   return out;
 }
@@ -120,11 +121,11 @@ std::optional<Figure> arms_figure(const ExperimentView& view, std::size_t measur
   out.csv = "arm,mean,low,high\n";
   AxisRange range;
   std::vector<std::string> names;
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
     const study::MeanEstimate mean = view.course.mean(arm, measure);
     range.take(mean);
-    names.push_back(plan.arms[arm].name);
-    out.csv += figure_field(plan.arms[arm].name) + ',' + mean_fields(mean) + '\n';
+    names.push_back(plan.asked.arms[arm].name);
+    out.csv += figure_field(plan.asked.arms[arm].name) + ',' + mean_fields(mean) + '\n';
   }
   if (range.empty()) return std::nullopt;
   out.width = page_width;
@@ -143,17 +144,18 @@ std::optional<Figure> arms_figure(const ExperimentView& view, std::size_t measur
 std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   const std::string& path = plan.measures[measure];
-  const bool numbers = std::ranges::all_of(plan.values, [](const auto& each) { return number_of(each).has_value(); });
+  const bool numbers =
+      std::ranges::all_of(plan.value_texts(), [](const auto& each) { return number_of(each).has_value(); });
   bool any = false;
   Figure out;
   out.name = fmt::format("sweep_{}", measure + 1);
-  out.title = fmt::format("{} over {}", visible(path), visible(plan.sweep));
+  out.title = fmt::format("{} over {}", visible(path), visible(plan.sweep()));
   out.description = description(plan, path, numbers ? "bands" : "intervals");
-  out.csv = "x," + figure_field(plan.sweep) + names_of_arms(plan) + '\n';
-  for (std::size_t value = 0; value < plan.values.size(); ++value) {
-    const double x = numbers ? *number_of(plan.values[value]) : static_cast<double>(value);
-    out.csv += fmt::format("{},{}", x, figure_field(plan.values[value]));
-    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+  out.csv = "x," + figure_field(plan.sweep()) + names_of_arms(plan) + '\n';
+  for (std::size_t value = 0; value < plan.values(); ++value) {
+    const double x = numbers ? *number_of(plan.value(value)) : static_cast<double>(value);
+    out.csv += fmt::format("{},{}", x, figure_field(plan.value(value)));
+    for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
       const study::MeanEstimate mean = view.course.mean(plan.condition(arm, value), measure);
       any = any || mean.pairs > 0;
       out.csv += ',' + mean_fields(mean);
@@ -162,8 +164,8 @@ std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measu
   }
   if (!any) return std::nullopt;
   out.width = page_width;
-  const int key = 20 * key_rows(plan), row = 18 + 12 * static_cast<int>(plan.arms.size());
-  out.height = key + (numbers ? 310 : 66 + row * static_cast<int>(plan.values.size()));
+  const int key = 20 * key_rows(plan), row = 18 + 12 * static_cast<int>(plan.asked.arms.size());
+  out.height = key + (numbers ? 310 : 66 + row * static_cast<int>(plan.values()));
   out.commands = fmt::format("set key outside top center horizontal Left reverse maxcols {}\n", key_columns(plan)) +
                  (numbers ? curve_commands(plan, out.name, path) : value_rows_commands(view, out, measure));
   return out;

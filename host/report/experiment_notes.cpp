@@ -70,9 +70,9 @@ std::string opponent_note(const study::ExperimentPlan& plan) {
     const std::string shown = visible(path);
     if (std::ranges::find(paths, shown) == paths.end()) paths.push_back(shown);
   };
-  add(plan.sweep);
-  for (const study::Arm& arm : plan.arms) {
-    for (const std::string& setting : arm.settings) add(std::string_view(setting).substr(0, setting.find('=')));
+  add(plan.sweep());
+  for (const config::Experiment::Arm& arm : plan.asked.arms) {
+    for (const config::Node::Entry& each : arm.set.entries()) add(each.key);
   }
   if (paths.empty()) return {};
   return fmt::format("Rules and robot apply to the opponent, too: the opponent is not the same at all values of {}.",
@@ -80,11 +80,11 @@ std::string opponent_note(const study::ExperimentPlan& plan) {
 }
 
 std::string interval_note(const study::ExperimentPlan& plan) {
-  if (plan.primary.empty() || plan.comparisons.size() < 2) return {};
+  if (plan.primary().empty() || plan.comparisons().size() < 2) return {};
   return fmt::format(
       "Each {:.4g} % interval holds for its own comparison, p after Holm for all {} comparisons together. So an "
       "interval may leave out 0 although no difference was found.",
-      100.0 * plan.confidence, plan.comparisons.size());
+      100.0 * plan.asked.confidence, plan.comparisons().size());
 }
 
 }  // namespace

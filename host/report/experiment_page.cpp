@@ -16,7 +16,7 @@ namespace {
 Html head(const ExperimentView& view) {
   Html out = "<header>\n<p class=\"kicker\">Experiment: "_html;
   return out << text(experiment_title(view)) << "</p>\n<h1 id=\"verdict\">"_html << text(experiment_headline(view))
-             << "</h1>\n<p class=\"beside\">"_html << text(view.plan.question) << "</p>\n</header>\n"_html;
+             << "</h1>\n<p class=\"beside\">"_html << text(view.plan.asked.question) << "</p>\n</header>\n"_html;
 }
 
 std::string minutes_text(double least, double most) {
@@ -35,8 +35,8 @@ Html tiles(const ExperimentView& view) {
     return std::pair(low / 60.0, high / 60.0);
   }();
   Html out = "<div class=\"tiles\">\n"_html;
-  out << tile(text(fmt::format("{}", plan.arms.size())), text(plan.arms.size() == 1 ? "arm" : "arms"));
-  if (plan.swept()) out << tile(text(fmt::format("{}", plan.values.size())), text("values of the sweep"));
+  out << tile(text(fmt::format("{}", plan.asked.arms.size())), text(plan.asked.arms.size() == 1 ? "arm" : "arms"));
+  if (plan.swept()) out << tile(text(fmt::format("{}", plan.values())), text("values of the sweep"));
   out << tile(text(fmt::format("{}", plan.pairs)), text("pairs of matches each: same seed, both sides"));
   out << tile(text(minutes_text(least, most)), text("minutes of play each"));
   out << tile(text(fmt::format("{}", view.course.taken())), text(fmt::format("matches of {} planned", plan.matches())));
@@ -67,14 +67,14 @@ Html measure_cell(const std::string& measure) {
 Html means_section(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<Heading> headings{{"Measure"_html, Column::words}};
-  if (plan.swept()) headings.push_back({code(plan.sweep), Column::number});
-  for (const study::Arm& arm : plan.arms) headings.push_back({name(arm.name), Column::number});
+  if (plan.swept()) headings.push_back({code(plan.sweep()), Column::number});
+  for (const config::Experiment::Arm& arm : plan.asked.arms) headings.push_back({name(arm.name), Column::number});
   HtmlTable table(headings);
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
-    for (std::size_t value = 0; value < plan.values.size(); ++value) {
+    for (std::size_t value = 0; value < plan.values(); ++value) {
       std::vector<Html> cells{measure_cell(plan.measures[measure])};
-      if (plan.swept()) cells.push_back(text(plan.values[value]));
-      for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+      if (plan.swept()) cells.push_back(text(plan.value(value)));
+      for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
         cells.push_back(text(estimate_text(view.course.mean(plan.condition(arm, value), measure), "±")));
       }
       table.row(cells);
@@ -87,7 +87,7 @@ Html means_section(const ExperimentView& view) {
   out << "<p class=\"note\">"_html;
   out << text(fmt::format("Times are minutes in 60 minutes of play, all other numbers are means of a match. ± is half "
                           "of the {:.4g} % interval: Student's t over pairs of matches.",
-                          100.0 * plan.confidence))
+                          100.0 * plan.asked.confidence))
       << " "_html << table_link("means.csv", experiment_summary_csv(view)) << "</p>\n<div class=\"values\">"_html
       << table.html() << "</div>\n"_html;
   return section("means", "Means"_html, out);
@@ -101,14 +101,14 @@ std::string difference_text(const study::MeanEstimate& difference) {
 
 Html differences_section(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  if (plan.comparisons.empty()) return {};
+  if (plan.comparisons().empty()) return {};
   HtmlTable table({{"Measure"_html, Column::words},
                    {"First"_html, Column::words},
                    {"Less second"_html, Column::words},
                    {"Pairs"_html},
                    {"Difference"_html}});
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
-    for (const study::Comparison& each : plan.comparisons) {
+    for (const study::Comparison& each : plan.comparisons()) {
       const study::MeanEstimate difference = view.course.difference(each, measure);
       table.row({measure_cell(plan.measures[measure]), name(label(plan, each.first)), name(label(plan, each.second)),
                  text(fmt::format("{}", difference.pairs)), text(difference_text(difference))});
@@ -145,56 +145,23 @@ Html failures_section(const ExperimentView& view) {
 
 Html configuration_section(const study::ExperimentPlan& plan) {
   std::vector<std::string> names;
-  for (const study::Arm& arm : plan.arms) names.push_back(arm.name);
+  for (const config::Experiment::Arm& arm : plan.asked.arms) names.push_back(arm.name);
   names.emplace_back("opponent");
-  return section("configuration", "Where the teams differ"_html, differing_documents(names, plan.documents));
-}
-
-std::vector<campaign::Input> all_inputs(const study::ExperimentPlan& plan) {
-  std::vector<campaign::Input> out;
-  for (const study::Condition& condition : plan.conditions) {
-    const campaign::Job& job = condition.jobs[0];
-    for (const auto* inputs : {&job.common_inputs, &job.home_inputs, &job.away_inputs}) {
-      out.insert(out.end(), inputs->begin(), inputs->end());
-    }
-  }
-  for (const study::Opening& opening : plan.openings) out.push_back(opening.input);
-  return out;
-}
-
-Html reproduction_section(const ExperimentPageSource& source, const std::string& command) {
-  const study::ExperimentPlan& plan = source.view.plan;
-  Html out = "<p>In the folder "_html;
-  out << code(plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html << block(command)
-      << "<p class=\"note\">Regista "_html << text(source.program)
-      << " began these results. Seeds, number of matches, test and hashes were stored before the first match. Fingerprint of all matches (the same matches have the same one): "_html
-      << code(source.fingerprint.empty() ? "–" : source.fingerprint)
-      << "</p>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(plan))
-      << "</details>\n"_html;
-  return section("reproduction", "Playing it again"_html, out);
+  return section("configuration", "Where the teams differ"_html,
+                 differing_documents(names, plan.documents, what_was_played(plan).teams));
 }
 
 }  // namespace
-
-std::vector<std::string> experiment_arguments(const study::ExperimentPlan& plan) {
-  std::vector<std::string> words{"experiment", plan.file};
-  for (const std::string& each : plan.overrides) words.insert(words.end(), {"--set", each});
-  for (const std::string& each : plan.conditions.front().jobs[0].plugins) {
-    words.insert(words.end(), {"--plugins", each});
-  }
-  words.insert(words.end(), {"--processor-seconds", std::to_string(plan.limits.processor_seconds), "--memory",
-                             std::to_string(plan.limits.memory >> 20)});
-  return words;
-}
 
 std::string experiment_page(const ExperimentPageSource& source) {
   const ExperimentView& view = source.view;
   const std::vector<std::string> sentences = finding_sentences(view);
   Html page = page_begin(experiment_title(view));
-  page << doubts_note(view.course.remarks()) << head(view) << tiles(view) << findings_section(sentences)
-       << figures_section(source) << means_section(view) << differences_section(view)
+  const WhatWasPlayed played = what_was_played(view.plan);
+  page << doubts_note(view.course.remarks()) << head(view) << tiles(view) << played_section(played)
+       << findings_section(sentences) << figures_section(source) << means_section(view) << differences_section(view)
        << unplayed_section(view.course.unplayed_pairs(), view.course.remarks()) << failures_section(view)
-       << configuration_section(view.plan) << reproduction_section(source, source.command)
+       << configuration_section(view.plan) << again_section(played, source.results)
        << remarks_note(view.course.remarks()) << page_end();
   return page.str();
 }

@@ -14,15 +14,9 @@ namespace regista::report {
 struct ExperimentPageSource {
   ExperimentView view;
   std::vector<PageFigure> figures;
-  std::string program;      // version that began the experiment
-  std::string fingerprint;  // of all matches
-  std::string command;      // that plays it again
+  PlayedResults results;
 };
 
 std::string experiment_page(const ExperimentPageSource& source);
-
-// The words of `regista experiment` that play it again, after the name of the program. Paths are relative to
-// plan.folder.
-std::vector<std::string> experiment_arguments(const study::ExperimentPlan& plan);
 
 }  // namespace regista::report

@@ -29,11 +29,11 @@ class ExperimentReport final : public StudyReport {
   const study::Study& study() const override { return course_; }
 
   std::string title() const override { return experiment_title(view()); }
-  std::string question() const override { return plan_.question; }
+  std::string question() const override { return plan_.asked.question; }
   std::vector<std::string> teams() const override {
     std::vector<std::string> out;
-    for (const study::Arm& each : plan_.arms) out.push_back(each.name);
-    out.push_back(plan_.opponent);
+    for (const config::Experiment::Arm& each : plan_.asked.arms) out.push_back(each.name);
+    out.push_back(plan_.asked.opponent);
     return out;
   }
   std::string headline() const override { return experiment_headline(view()); }
@@ -65,8 +65,9 @@ class ExperimentReport final : public StudyReport {
   }
   std::vector<Figure> figures() const override { return experiment_figures(view()); }
   std::string page(PageFrame frame) const override {
-    return experiment_page({view(), std::move(frame.figures), frame.program, fingerprint_.text(),
-                            process::command_line(experiment_arguments(plan_))});
+    return experiment_page({view(),
+                            std::move(frame.figures),
+                            {frame.results.filename().string(), frame.program, fingerprint_.text(), {}}});
   }
 
  private:
@@ -84,7 +85,7 @@ class ExperimentReport final : public StudyReport {
 
 std::vector<std::string> ExperimentReport::notes() const {
   std::vector<std::string> out;
-  for (const study::Comparison& each : plan_.comparisons) {
+  for (const study::Comparison& each : plan_.comparisons()) {
     if (!study::equal_conditions(plan_, each)) continue;
     out.push_back(fmt::format("A/A: {} and {} are equal, so they do not differ by construction",
                               config::one_line(label(plan_, each.first)), config::one_line(label(plan_, each.second))));

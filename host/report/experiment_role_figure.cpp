@@ -76,7 +76,7 @@ std::string short_name(const std::string& role) { return role.substr(role.rfind(
 // Bars of all arms for each role, the first arm's on top, with their intervals as whiskers.
 std::string panel_commands(const ExperimentView& view, std::size_t first_column, const char* title,
                            const std::string& tics, double most) {
-  const std::size_t arms = view.plan.arms.size();
+  const std::size_t arms = view.plan.asked.arms.size();
   const double height = 0.8 / static_cast<double>(arms);
   std::string out = fmt::format("set title '{}' offset 0, -0.7\nset xrange [0:{:.6g}]\nset xtics {}\n{}", title,
                                 most > 0.0 ? 1.05 * most : 1.0, tic_step(most, 5), tics);
@@ -105,9 +105,10 @@ std::string key_commands(const study::ExperimentPlan& plan, int height, int top)
       "set bmargin at screen {:.4f}\nunset border\nunset tics\nset key center top horizontal Left reverse maxcols "
       "{}\nplot ",
       1.0 - static_cast<double>(top - 30) / height, key_columns(plan));
-  for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
-    out += fmt::format("NaN with boxes lc rgb '{}' fs solid noborder title {}{}", arm_colour(arm),
-                       gnuplot_text(plan.arms[arm].name), arm + 1 < plan.arms.size() ? ", \\\n     " : "\n");
+  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
+    out +=
+        fmt::format("NaN with boxes lc rgb '{}' fs solid noborder title {}{}", arm_colour(arm),
+                    gnuplot_text(plan.asked.arms[arm].name), arm + 1 < plan.asked.arms.size() ? ", \\\n     " : "\n");
   }
   return out + "unset key\nset border 3\nset xtics nomirror\nset bmargin 2.5\n";
 }
@@ -141,10 +142,10 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
     out.description += fmt::format("{}{}: {}", out.description.empty() ? "" : "; ", panel.name, panel.meaning);
   }
   out.description =
-      capital(out.description) + fmt::format(". Whiskers: intervals of {:.4g} %.", 100.0 * plan.confidence);
+      capital(out.description) + fmt::format(". Whiskers: intervals of {:.4g} %.", 100.0 * plan.asked.confidence);
   out.csv = "role";
   for (const Panel& panel : shown) {
-    for (const study::Arm& arm : plan.arms) {
+    for (const config::Experiment::Arm& arm : plan.asked.arms) {
       for (const char* end : {"", " low", " high"}) {
         out.csv += ',' + figure_field(fmt::format("{} {}{}", arm.name, panel.last, end));
       }
@@ -156,7 +157,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
     out.csv += figure_field(role);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       const auto measure = measure_index(plan, role + '.' + shown[i].last);
-      for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+      for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
         const study::MeanEstimate mean = measure ? view.course.mean(arm, *measure) : study::MeanEstimate{};
         out.csv += ',' + mean_fields(mean);
         most[i] = std::max({most[i], mean.mean, mean.interval ? mean.interval->high : 0.0});
@@ -169,7 +170,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
   const auto rows = static_cast<double>(names.size());
   out.width = page_width;
   const int top = 50 + 20 * key_rows(plan);
-  out.height = 50 + top + static_cast<int>(rows * std::max(24.0, 10.0 * static_cast<double>(plan.arms.size())));
+  out.height = 50 + top + static_cast<int>(rows * std::max(24.0, 10.0 * static_cast<double>(plan.asked.arms.size())));
   out.commands = fmt::format(
       "set grid noytics\nset grid xtics lt 1 lc rgb '{}' lw 0.7\nset yrange [{:.1f}:0.6]\n"
       "set style fill solid noborder\nset bars 0.4\nset multiplot\n",
@@ -183,7 +184,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
     out.commands +=
         fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", begin, begin + panel_width - 0.03);
     out.commands +=
-        panel_commands(view, 2 + 3 * plan.arms.size() * i, shown[i].title, name_tics(names, i == 0), most[i]);
+        panel_commands(view, 2 + 3 * plan.asked.arms.size() * i, shown[i].title, name_tics(names, i == 0), most[i]);
   }
   out.commands += "unset multiplot\n";
   return out;

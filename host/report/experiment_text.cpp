@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "config/text.hpp"
+#include "config/values.hpp"
 #include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
@@ -14,6 +15,7 @@
 #include "report/text_table.hpp"
 #include "report/tournament.hpp"
 #include "report/visible_text.hpp"
+#include "study/settings.hpp"
 
 namespace regista::report {
 namespace {
@@ -29,11 +31,11 @@ std::string arms_table(const ExperimentView& view, const std::vector<std::size_t
   const study::ExperimentPlan& plan = view.plan;
   TextTable table;
   std::vector<std::string> head{"measure"};
-  for (const study::Arm& arm : plan.arms) head.push_back(visible(arm.name));
+  for (const config::Experiment::Arm& arm : plan.asked.arms) head.push_back(visible(arm.name));
   table.row(head);
   for (const std::size_t measure : measures) {
     std::vector<std::string> cells{with_unit(plan.measures[measure])};
-    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+    for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
       cells.push_back(estimate_text(view.course.mean(arm, measure)));
     }
     table.row(cells);
@@ -45,12 +47,12 @@ std::string arms_table(const ExperimentView& view, const std::vector<std::size_t
 std::string sweep_table(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   TextTable table;
-  std::vector<std::string> head{visible(plan.sweep)};
-  for (const study::Arm& arm : plan.arms) head.push_back(visible(arm.name));
+  std::vector<std::string> head{visible(plan.sweep())};
+  for (const config::Experiment::Arm& arm : plan.asked.arms) head.push_back(visible(arm.name));
   table.row(head);
-  for (std::size_t value = 0; value < plan.values.size(); ++value) {
-    std::vector<std::string> cells{visible(plan.values[value])};
-    for (std::size_t arm = 0; arm < plan.arms.size(); ++arm) {
+  for (std::size_t value = 0; value < plan.values(); ++value) {
+    std::vector<std::string> cells{visible(plan.value(value))};
+    for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
       cells.push_back(estimate_text(view.course.mean(plan.condition(arm, value), measure)));
     }
     table.row(cells);
@@ -65,21 +67,21 @@ std::string mean_with_sign(const MeanEstimate& estimate) {
 
 // Not of a single role, but for the primary one: a terminal has room for these.
 bool is_headline(const study::ExperimentPlan& plan, const std::string& measure) {
-  return measure == plan.primary || measure.find('.') == std::string::npos;
+  return measure == plan.primary() || measure.find('.') == std::string::npos;
 }
 
 std::string differences_table(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   TextTable table;
   std::vector<std::string> head{"measure"};
-  for (const study::Comparison& each : plan.comparisons) {
+  for (const study::Comparison& each : plan.comparisons()) {
     head.push_back(fmt::format("{} less {}", visible(label(plan, each.first)), visible(label(plan, each.second))));
   }
   table.row(head);
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
     if (!is_headline(plan, plan.measures[measure])) continue;
     std::vector<std::string> cells{with_unit(plan.measures[measure])};
-    for (const study::Comparison& each : plan.comparisons) {
+    for (const study::Comparison& each : plan.comparisons()) {
       const MeanEstimate difference = view.course.difference(each, measure);
       cells.push_back(difference.pairs == 0
                           ? "-"
@@ -125,17 +127,49 @@ std::string pairs_text(const ExperimentView& view) {
       std::ranges::any_of(plan.measures, [](const auto& each) { return study::is_time(each); })
           ? ", times in minutes of 60 minutes of play"
           : "",
-      100.0 * plan.confidence, config::counted(pairs, "pair", "pairs"));
+      100.0 * plan.asked.confidence, config::counted(pairs, "pair", "pairs"));
 }
 
 }  // namespace
 
+WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
+  std::vector<campaign::Input> openings;
+  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
+  const campaign::Job& first = plan.conditions.front().jobs[0];
+  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, openings);
+  for (std::size_t arm = 0; arm < plan.arms(); ++arm) {
+    const campaign::Job& job = plan.conditions[arm].jobs[0];
+    out.teams.push_back(played_team(plan.asked.arms[arm].name, team_of(plan, arm), job.home_inputs,
+                                    profile_of(job.common_inputs, "home disturbance", plan.asked.disturbance)));
+    out.teams.back().set = study::as_typed(study::settings_of(plan.asked.arms[arm].set, "set"));
+  }
+  out.teams.push_back(
+      played_team("the opponent", plan.asked.opponent, first.away_inputs,
+                  profile_of(first.common_inputs, "away disturbance", plan.asked.opponent_disturbance)));
+  out.set = study::as_typed(study::settings_of(plan.asked.settings.set, "set"));
+  out.amount = fmt::format(
+      "{} against the opponent of each arm{}, seeds from {}", config::counted(plan.pairs, "pair", "pairs"),
+      plan.swept() ? fmt::format(" at each of {} values of {}", plan.values(), plan.sweep()) : std::string(),
+      plan.first_seed());
+  for (const study::Condition& each : plan.conditions) {
+    const campaign::Job& job = each.jobs[0];
+    for (const auto* inputs : {&job.common_inputs, &job.home_inputs})
+      out.inputs.insert(out.inputs.end(), inputs->begin(), inputs->end());
+  }
+  out.program = plan.program;
+  out.folder = plan.folder;
+  out.plugins = plan.plugins;
+  out.document = config::document_text(plan.asked);
+  return out;
+}
+
 std::string experiment_title(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  std::string out = fmt::format("{}: {}", visible(plan.name), config::counted(plan.arms.size(), "arm", "arms"));
-  if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values.size(), visible(plan.sweep));
-  out += fmt::format(" against {}, {} matches each", visible(std::filesystem::path(plan.opponent).stem().string()),
-                     2 * plan.pairs);
+  std::string out =
+      fmt::format("{}: {}", visible(plan.asked.name), config::counted(plan.asked.arms.size(), "arm", "arms"));
+  if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values(), visible(plan.sweep()));
+  out += fmt::format(" against {}, {} matches each",
+                     visible(std::filesystem::path(plan.asked.opponent).stem().string()), 2 * plan.pairs);
   if (!plan.openings.empty()) {
     out += " from " + config::counted(plan.openings.size(), "opening", "openings");
   }
@@ -157,7 +191,8 @@ std::string experiment_standing(const ExperimentView& view) {
 std::string experiment_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::string out = doubts_text(view.course.remarks()) + experiment_title(view) + '\n';
-  if (!plan.question.empty()) out += visible(plan.question) + '\n';
+  if (!plan.asked.question.empty()) out += visible(plan.asked.question) + '\n';
+  out += played_text(what_was_played(plan));
   out += '\n' + experiment_headline(view) + "\n\n" + pairs_text(view) + '\n';
   if (plan.swept()) {
     for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) out += sweep_table(view, measure) + '\n';
@@ -165,7 +200,7 @@ std::string experiment_text(const ExperimentView& view) {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < plan.measures.size(); ++i) all.push_back(i);
     out += arms_table(view, all);
-    if (!plan.comparisons.empty())
+    if (!plan.comparisons().empty())
       out += "\nDifferences, pair by pair (of single roles: --json, or the page):\n\n" + differences_table(view);
     out += '\n';
   }

@@ -9,17 +9,6 @@
 #include "report/page_sections.hpp"
 
 namespace regista::report {
-namespace {
-
-std::vector<campaign::Input> all_inputs(const study::TournamentPlan& plan) {
-  std::vector<campaign::Input> out = plan.common_inputs;
-  for (const study::Entrant& team : plan.teams) out.insert(out.end(), team.inputs.begin(), team.inputs.end());
-  for (const study::Opening& opening : plan.openings) out.push_back(opening.input);
-  return out;
-}
-
-}  // namespace
-
 Html failures_section(const PageSource& source) {
   const study::Tournament& course = source.view.course;
   if (course.forfeits().empty()) return {};
@@ -92,19 +81,8 @@ Html configuration_section(const PageSource& source) {
   }
   std::vector<std::string> names;
   for (const study::Entrant& team : source.view.plan.teams) names.push_back(team.label);
-  const Html out = differing_documents(names, documents);
+  const Html out = differing_documents(names, documents, source.played.teams);
   return section("configuration", "Where the teams differ"_html, out);
-}
-
-Html reproduction_section(const PageSource& source) {
-  Html out = "<p>In the folder "_html;
-  out << code(source.view.plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html
-      << block(source.command) << "<p class=\"note\">Regista "_html << text(source.program)
-      << " began these results. Fingerprint of all matches (the same matches have the same one): "_html
-      << code(source.record.fingerprint().empty() ? "–" : source.record.fingerprint())
-      << "</p>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(source.view.plan))
-      << "</details>\n"_html;
-  return section("reproduction", "Playing it again"_html, out);
 }
 
 }  // namespace regista::report

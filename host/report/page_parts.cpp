@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 
 #include "config/node.hpp"
 #include "config/text.hpp"
@@ -31,11 +34,37 @@ constexpr std::size_t most_documents = 40;  // that are shown in full
 constexpr std::size_t most_rows = 1000;
 constexpr std::size_t most_open = 25;  // rows that are shown without being asked for
 
-Html differences_table(std::span<const std::string> names, std::span<const std::string> documents) {
-  const std::vector<DifferingValue> rows = differing_values(documents);
-  if (rows.empty()) return "<p>The resolved documents are the same.</p>\n"_html;
+// What is called the same and is another: disturbances, shared objects and files of parameters.
+void add_what_they_bring(std::span<const PlayedTeam> teams, std::vector<DifferingValue>& rows) {
+  std::map<std::string, std::vector<std::optional<std::string>>> found;
+  const auto value_of = [&](const std::string& what, std::size_t team) -> std::optional<std::string>& {
+    return found.try_emplace(what, teams.size()).first->second[team];
+  };
+  for (std::size_t team = 0; team < teams.size(); ++team) {
+    const PlayedProfile& disturbance = teams[team].disturbance;
+    value_of("disturbance", team) =
+        disturbance.name + (disturbance.file.empty() ? "" : fmt::format(" ({})", disturbance.file));
+    for (const campaign::Input& each : teams[team].inputs) {
+      // The team's own document is compared value by value.
+      if (!each.name.starts_with("team ")) value_of(each.name.substr(0, each.name.find(" (")), team) = each.hash;
+    }
+  }
+  for (auto& [what, values] : found) {
+    std::set<std::string> different;
+    for (const auto& each : values) {
+      if (each) different.insert(*each);
+    }
+    if (different.size() > 1) rows.push_back({what, std::move(values)});
+  }
+}
+
+Html differences_table(std::span<const std::string> names, const std::vector<DifferingValue>& rows) {
+  if (rows.empty()) {
+    return "<p>The resolved documents are the same, and so are disturbances, plugins and files.</p>\n"_html;
+  }
   std::vector<Heading> headings{{"Value"_html, Column::words}};
-  for (std::size_t i = 0; i < documents.size(); ++i) headings.push_back({name(names[i]), Column::words});
+  for (const std::string& each : names.first(rows.front().values.size()))
+    headings.push_back({name(each), Column::words});
   HtmlTable table(headings);
   for (std::size_t i = 0; i < std::min(rows.size(), most_rows); ++i) {
     std::vector<Html> cells{path_code(rows[i].path)};
@@ -124,11 +153,14 @@ Html block(std::string_view content) {
   return out << lines(content) << "</pre>\n"_html;
 }
 
-Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents) {
+Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents,
+                         std::span<const PlayedTeam> teams) {
   const std::size_t compared = std::min(documents.size(), most_compared);
   Html out;
   try {
-    out = differences_table(names, documents.first(compared));
+    std::vector<DifferingValue> rows = differing_values(documents.first(compared));
+    add_what_they_bring(teams.first(std::min(compared, teams.size())), rows);
+    out = differences_table(names, rows);
   } catch (const config::Error& error) {
     out << "<p>The documents cannot be compared: "_html << text(error.what()) << "</p>\n"_html;
   }

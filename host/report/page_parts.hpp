@@ -11,6 +11,7 @@
 #include "campaign/input.hpp"
 #include "report/figure.hpp"
 #include "report/html.hpp"
+#include "report/what_was_played.hpp"
 
 namespace regista::report {
 
@@ -41,8 +42,10 @@ Html code(std::string_view words);
 Html path_code(std::string_view path);  // goes on in a new line only after a point or an underscore
 Html block(std::string_view content);   // lines as they are
 
-// Where documents (config::show without remarks) differ, a column for each; then each in full. names: of the documents.
-Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents);
+// Where teams differ, a column for each: in their documents (config::show without remarks), disturbances, plugins and
+// files; then each document in full. names: of the documents. teams: the same, in the same order.
+Html differing_documents(std::span<const std::string> names, std::span<const std::string> documents,
+                         std::span<const PlayedTeam> teams);
 
 // Each input once, in this order.
 Html hashes_table(std::span<const campaign::Input> inputs);

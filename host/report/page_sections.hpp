@@ -20,7 +20,6 @@ Html variance_section(const PageSource& source);       // what pairing gained
 Html failures_section(const PageSource& source);       // forfeits and how to play them again
 Html recordings_section(const PageSource& source);     // matches to look at
 Html configuration_section(const PageSource& source);  // where the teams differ
-Html reproduction_section(const PageSource& source);   // versions, hashes, command
 
 // What they share.
 Html team_name(const PageSource& source, std::size_t team);

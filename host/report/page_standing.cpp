@@ -25,7 +25,7 @@ constexpr std::size_t most_listed = 2000;       // pairings at all
 Html count(std::uint64_t number) { return text(fmt::format("{}", number)); }
 
 bool fixed_number_is_played(const PageSource& source) {
-  return std::holds_alternative<study::FixedNumber>(source.view.plan.objective) && source.view.course.complete();
+  return std::holds_alternative<study::FixedNumber>(source.view.plan.objective()) && source.view.course.complete();
 }
 
 Html teams_table(const PageSource& source) {
@@ -79,7 +79,7 @@ void add_test(HtmlTable& table, const Meeting& meeting, const PageSource& source
                                 test.ratio().method == statistics::Method::closed_form ? "; approximate" : ""))});
   }
   if (!meeting.metric) return;
-  const auto& test = std::get<study::ValueTest>(source.view.plan.objective);
+  const auto test = std::get<study::ValueTest>(source.view.plan.objective());
   const study::MetricDifference& metric = *meeting.metric;
   const statistics::Estimate estimate = metric.estimate();
   Html what = "Difference of "_html;
@@ -131,7 +131,7 @@ Html pairing_table(const PageSource& source) {
 // Share of the points of the row's team against that of the column.
 Html cross_table(const PageSource& source) {
   const std::vector<Ranked> ranks = ranking(source.view.plan, source.view.course);
-  if (ranks.size() > most_crossed || source.view.plan.format == study::Format::gauntlet) return {};
+  if (ranks.size() > most_crossed || source.view.plan.asked.format == config::Tournament::Format::gauntlet) return {};
   const statistics::SquareTable won = points_won(source.view.plan, source.view.course);
   std::vector<Heading> headings{{"Share of points, %"_html, Column::words}};
   for (std::size_t i = 0; i < ranks.size(); ++i) headings.push_back({text(fmt::format("{}", i + 1))});

@@ -24,7 +24,7 @@ bool is_prevented(const study::Tournament& course, const study::Meeting& meeting
 
 bool is_without_verdict(const study::TournamentPlan& plan, const study::Tournament& course) {
   if (plan.teams.size() == 2) return is_prevented(course, course.meetings().front());
-  if (plan.format != study::Format::round_robin || !course.complete()) return false;
+  if (plan.asked.format != config::Tournament::Format::round_robin || !course.complete()) return false;
   return !leads_either_way(plan, course, ranking(plan, course).front().team);
 }
 

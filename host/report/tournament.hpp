@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "match/metric_columns.hpp"
+#include "report/what_was_played.hpp"
 #include "study/tournament.hpp"
 #include "study/tournament_plan.hpp"
 
@@ -22,6 +23,8 @@ struct TournamentView {
 
   const std::string& label(std::size_t team) const { return plan.teams[team].label; }
 };
+
+WhatWasPlayed what_was_played(const study::TournamentPlan& plan);
 
 // "paper vs fixed_rate", and how many pairs of what.
 std::string title(const TournamentView& view);

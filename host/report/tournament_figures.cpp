@@ -188,8 +188,8 @@ std::vector<Figure> tournament_figures(const TournamentView& view, const CourseR
   if (view.plan.teams.size() == 2) {
     const std::vector<PairPoint> curve = record.pair_curve();
     add(elo_over_pairs(view, curve));
-    add(std::holds_alternative<study::ScoreTest>(view.plan.objective) ? ratio_over_pairs(view, curve)
-                                                                      : value_over_pairs(view, curve));
+    add(std::holds_alternative<study::ScoreTest>(view.plan.objective()) ? ratio_over_pairs(view, curve)
+                                                                        : value_over_pairs(view, curve));
     add(goal_differences(view, record));
     add(roles(view, record));
     add(packets(view, record));

@@ -80,7 +80,7 @@ Json meeting_json(const TournamentView& view, const study::Meeting& meeting, con
     out["goals_per_match"] = goals;
   }
   if (meeting.score_test) out["sprt"] = score_test(*meeting.score_test);
-  if (meeting.metric) out["metric"] = metric(meeting, std::get<study::ValueTest>(view.plan.objective));
+  if (meeting.metric) out["metric"] = metric(meeting, std::get<study::ValueTest>(view.plan.objective()));
   return out;
 }
 
@@ -90,22 +90,23 @@ std::string tournament_json(const TournamentView& view) {
   const study::Tournament& course = view.course;
   const auto label = [&](std::size_t team) { return view.plan.teams[team].label; };
   Json out;
+  out["played"] = played_json(what_was_played(view.plan));
   Json teams = Json::array();
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
     teams.push_back({{"name", label(team)},
-                     {"file", view.plan.teams[team].file},
+                     {"file", view.plan.asked.teams[team].team},
                      {"failures", course.failures()[team]},
                      {"packets_of_short_games", packets_json(course.packets(team))}});
   }
-  if (!view.plan.name.empty()) {
-    out["tournament"] = view.plan.name;
-    out["question"] = view.plan.question;
+  if (!view.plan.asked.name.empty()) {
+    out["tournament"] = view.plan.asked.name;
+    out["question"] = view.plan.asked.question;
   }
   out["teams"] = teams;
-  out["format"] = view.plan.format == study::Format::gauntlet ? "gauntlet" : "round_robin";
-  out["pairs"] = view.plan.pairs;
+  out["format"] = view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round_robin";
+  out["pairs"] = view.plan.pairs();
   if (!view.plan.pairs_before.empty()) out["pairs_before"] = view.plan.pairs_before;
-  out["first_seed"] = view.plan.first_seed;
+  out["first_seed"] = view.plan.first_seed();
   out["openings"] = view.plan.openings.size();
   out["matches"] = course.matches();
   const bool tested = course.verdict() != study::Verdict::none;
@@ -157,7 +158,7 @@ std::string tournament_json(const TournamentView& view) {
   out["set_aside"] = set_aside;
   out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
   add_doubts(course.remarks(), out);
-  out["allow_shared_memory"] = view.plan.limits.allow_shared_memory;
+  out["allow_shared_memory"] = view.plan.limits().allow_shared_memory;
   add_notes(course.remarks(), out);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
 }

@@ -88,14 +88,15 @@ std::string tournament_page(const PageSource& source) {
        << text(title(source.view)) << "</p>\n<h1 id=\"verdict\">"_html << verdict.sentence << "</h1>\n"_html
        << "<p class=\"beside\">"_html;
   for (const Html& each : verdict.beside) page << each << " "_html;
-  if (!source.view.plan.question.empty()) page << "</p>\n<p class=\"beside\">"_html << text(source.view.plan.question);
-  page << "</p>\n</header>\n"_html << tiles(source) << point_of_view(source);
-  for (const auto part : {standing_section, curves_section, goals_section, roles_section, packets_section,
-                          plugins_section, variance_section, unplayed_section_of, failures_section, recordings_section,
-                          configuration_section, reproduction_section}) {
+  if (!source.view.plan.asked.question.empty())
+    page << "</p>\n<p class=\"beside\">"_html << text(source.view.plan.asked.question);
+  page << "</p>\n</header>\n"_html << tiles(source) << played_section(source.played) << point_of_view(source);
+  for (const auto part :
+       {standing_section, curves_section, goals_section, roles_section, packets_section, plugins_section,
+        variance_section, unplayed_section_of, failures_section, recordings_section, configuration_section}) {
     page << part(source);
   }
-  page << remarks_note(source.view.course.remarks()) << page_end();
+  page << again_section(source.played, source.results) << remarks_note(source.view.course.remarks()) << page_end();
   return page.str();
 }
 

@@ -28,8 +28,8 @@ struct PageSource {
   const CourseRecord& record;
   std::vector<PageFigure> figures;
   std::vector<std::string> documents;  // resolved, by team; empty: not known
-  std::string program;                 // version that began the tournament
-  std::string command;                 // that plays it again
+  WhatWasPlayed played;
+  PlayedResults results;
   PageRecordings recordings;
   std::function<RecordingLink(std::uint64_t match)> recording;
   std::span<const match::MetricRow> metrics = match::metric_table();  // numbers of matches, as far as they have titles

@@ -14,7 +14,6 @@
 #include "process/program.hpp"
 #include "report/course_record.hpp"
 #include "report/page_recordings.hpp"
-#include "report/reproduction.hpp"
 #include "report/tournament.hpp"
 #include "report/tournament_figures.hpp"
 #include "report/tournament_page.hpp"
@@ -54,7 +53,7 @@ class TournamentReport final : public StudyReport {
   const study::Study& study() const override { return course_; }
 
   std::string title() const override { return report::title(view()); }
-  std::string question() const override { return plan_.question; }
+  std::string question() const override { return plan_.asked.question; }
   std::vector<std::string> teams() const override {
     std::vector<std::string> out;
     for (const study::Entrant& each : plan_.teams) out.push_back(each.label);
@@ -141,9 +140,14 @@ std::string TournamentReport::page(PageFrame frame) const {
                          process::command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
   };
   const TournamentView view = this->view();
-  return tournament_page({view, *record_, std::move(frame.figures), std::move(frame.documents), frame.program,
-                          process::command_line(tournament_arguments(plan_)),
-                          page_recordings(view, *record_, frame.results), link});
+  return tournament_page({view,
+                          *record_,
+                          std::move(frame.figures),
+                          std::move(frame.documents),
+                          what_was_played(plan_),
+                          {frame.results.filename().string(), frame.program, record_->fingerprint(), {}},
+                          page_recordings(view, *record_, frame.results),
+                          link});
 }
 
 }  // namespace

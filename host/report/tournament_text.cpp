@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/flow.hpp"
+#include "config/scalar.hpp"
 #include "config/text.hpp"
+#include "config/values.hpp"
 #include "report/estimate_text.hpp"
 #include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
@@ -58,7 +61,7 @@ std::string metric_text(const TournamentView& view, const Meeting& meeting, cons
 // What holds only for a number of pairs that nobody chose by looking may be said; of a pairing only where all of them
 // could be played.
 bool fixed_number_is_played(const TournamentView& view) {
-  return std::holds_alternative<study::FixedNumber>(view.plan.objective) && view.course.complete();
+  return std::holds_alternative<study::FixedNumber>(view.plan.objective()) && view.course.complete();
 }
 
 // Fastchess's block, and goals.
@@ -93,7 +96,7 @@ std::string meeting_text(const TournamentView& view, const Meeting& meeting) {
   } else {
     out += '\n';
   }
-  if (meeting.metric) out += metric_text(view, meeting, std::get<study::ValueTest>(view.plan.objective));
+  if (meeting.metric) out += metric_text(view, meeting, std::get<study::ValueTest>(view.plan.objective()));
   return out;
 }
 
@@ -185,9 +188,10 @@ std::string verdict_text(const TournamentView& view) {
   std::string out = fmt::format("Verdict after {}: {}",
                                 config::counted(static_cast<std::uint64_t>(pairs), "pair", "pairs"), name(verdict));
   if (verdict == study::Verdict::inconclusive) return out + '\n';
-  const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
+  const study::Objective objective = view.plan.objective();
+  const auto* const score = std::get_if<study::ScoreTest>(&objective);
   out += score != nullptr ? score_verdict(*score, verdict)
-                          : value_verdict(view, std::get<study::ValueTest>(view.plan.objective).value);
+                          : value_verdict(view, std::get<study::ValueTest>(view.plan.objective()).value);
   return out + bias;
 }
 
@@ -209,8 +213,8 @@ std::string failures_text(const TournamentView& view) {
 
 // Pair k plays the k-th scene, so few pairs leave scenes out; under a sequential test each is drawn from all.
 std::string openings_text(const study::TournamentPlan& plan, std::size_t all) {
-  const bool in_order = std::holds_alternative<study::FixedNumber>(plan.objective);
-  if (in_order && plan.pairs < all) return fmt::format("the first {} of {} openings", plan.pairs, all);
+  const bool in_order = std::holds_alternative<study::FixedNumber>(plan.objective());
+  if (in_order && plan.pairs() < all) return fmt::format("the first {} of {} openings", plan.pairs(), all);
   return config::counted(all, "opening", "openings");
 }
 
@@ -242,19 +246,51 @@ std::string forfeit_text(const std::string& label, const campaign::Failure& fail
   return config::one_line(out + ": " + failure.what);
 }
 
+WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
+  std::vector<campaign::Input> openings;
+  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
+  WhatWasPlayed out = what_was_played(plan.asked.settings, plan.common_inputs, openings);
+  for (std::size_t team = 0; team < plan.teams.size(); ++team) {
+    const config::Tournament::Team& asked = plan.asked.teams[team];
+    const study::Entrant& found = plan.teams[team];
+    const auto& disturbances = found.disturbances.empty() ? plan.common_inputs : found.disturbances;
+    out.teams.push_back(
+        played_team(found.label, asked.team, found.inputs,
+                    profile_of(disturbances, "home disturbance",
+                               asked.disturbance.empty() ? plan.asked.disturbance : asked.disturbance)));
+  }
+  for (const config::Node::Entry& each : plan.asked.settings.set.entries()) {
+    const std::optional<std::size_t> team = study::team_meant(plan, each.key);
+    const std::string path = team ? each.key.substr(std::min<std::size_t>(2, each.key.size())) : each.key;
+    (team ? out.teams[*team].set : out.set).push_back(path + '=' + config::flow(each.value));
+  }
+  const bool one = plan.pairings().size() == 1;
+  out.amount = fmt::format("{}{}{}, seeds from {}", plan.asked.pairs ? "" : "a test decides, at most ",
+                           config::counted(plan.pairs(), "pair", "pairs"),
+                           one ? std::string() : fmt::format(" of each of {} pairings", plan.pairings().size()),
+                           plan.first_seed());
+  out.program = plan.program;
+  out.folder = plan.folder;
+  out.plugins = plan.plugins;
+  out.document = config::document_text(plan.asked);
+  return out;
+}
+
 std::string title(const TournamentView& view) {
-  const std::string who = view.plan.teams.size() == 2
-                              ? fmt::format("{} vs {}", view.label(0), view.label(1))
-                              : fmt::format("{} teams, {}", view.plan.teams.size(),
-                                            view.plan.format == study::Format::gauntlet ? "gauntlet" : "round robin");
+  const std::string who =
+      view.plan.teams.size() == 2
+          ? fmt::format("{} vs {}", view.label(0), view.label(1))
+          : fmt::format("{} teams, {}", view.plan.teams.size(),
+                        view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round robin");
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // whoever was set aside on the way
   std::string out = fmt::format("{} ({}", who, config::counted(played, "pair", "pairs"));
-  if (played < view.plan.pairs) out += fmt::format(" of {}", view.plan.pairs);
+  if (played < view.plan.pairs()) out += fmt::format(" of {}", view.plan.pairs());
   if (pairings > 1) out += " each";
-  out += fmt::format(", seeds from {}", view.plan.first_seed);
+  out += fmt::format(", seeds from {}", view.plan.first_seed());
   if (const std::size_t all = view.plan.openings.size(); all > 0) out += ", " + openings_text(view.plan, all);
-  if (!view.plan.common.limit.empty()) out += fmt::format(", {} s a match", view.plan.common.limit);
+  if (const auto& limit = view.plan.asked.settings.limit)
+    out += fmt::format(", {} s a match", config::real_text(*limit));
   return out + ')';
 }
 
@@ -265,8 +301,10 @@ std::string standing_text(const TournamentView& view) {
 
 std::string tournament_text(const TournamentView& view) {
   std::string out = doubts_text(view.course.remarks());
-  if (!view.plan.question.empty()) out += fmt::format("{}: {}\n", visible(view.plan.name), visible(view.plan.question));
+  if (!view.plan.asked.question.empty())
+    out += fmt::format("{}: {}\n", visible(view.plan.asked.name), visible(view.plan.asked.question));
   out += fmt::format("Results of {}:\n", title(view));
+  out += played_text(what_was_played(view.plan));
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {
     if (study::equal_teams(view.plan, pairing)) {
       out += fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction\n",

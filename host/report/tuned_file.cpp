@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "config/text.hpp"
-#include "process/program.hpp"
 #include "report/number.hpp"
 #include "report/tuning_problem.hpp"
 #include "study/tuning/tuned_team.hpp"
@@ -37,7 +36,7 @@ std::string verdict(const study::TuningPlan& plan, const study::TuningRecord& re
   const double low = sign > 0 ? estimate.interval.low : -estimate.interval.high,
                high = sign > 0 ? estimate.interval.high : -estimate.interval.low;
   const std::string interval = estimate.interval.bounded() ? fmt::format("[{}, {}] at {:.4g} %", signed_number(low),
-                                                                         signed_number(high), 100.0 * plan.confidence)
+                                                                         signed_number(high), 100.0 * plan.confidence())
                                                            : std::string("(too few pairs for an interval)");
   return fmt::format("{}, on {} pairs with held-out seeds:\n#   {} {} {}, p = {:.2g} after Holm", words,
                      record.verification.pairs(), study::in_words(plan.objective), signed_number(sign * estimate.value),
@@ -50,16 +49,14 @@ std::string header(const study::TuningPlan& plan, const study::TuningRecord& rec
   for (const study::TuningOpponent& each : plan.opponents) {
     opponents.push_back(fmt::format("{} ({:.3g})", config::one_line(each.file), each.weight));
   }
-  const std::vector<std::string> words = tuning_arguments(plan);
   return fmt::format(
       "{} {} from {}; {}\n"
       "# Objective: {} {}, against {}\n"
       "# Search: {}, {} points, seed {}; results of all matches: {}\n"
-      "# Again, in {}:\n#   {}\n",
-      tuned_file_begin, program, config::one_line(plan.team), verdict(plan, record),
+      "# Begun in {}; to play it again: regista report RESULTS.db --study FOLDER\n",
+      tuned_file_begin, program, config::one_line(plan.asked.team), verdict(plan, record),
       plan.objective.minimise ? "minimise" : "maximise", study::in_words(plan.objective), fmt::join(opponents, ", "),
-      study::name(plan.algorithm), record.trace.size(), plan.seed, fingerprint, config::one_line(plan.folder),
-      config::one_line(process::command_line(words)));
+      study::name(plan.algorithm()), record.trace.size(), plan.seed(), fingerprint, config::one_line(plan.folder));
 }
 
 // The base team's file as the new one is to name it.
@@ -76,10 +73,10 @@ std::string base_from(const fs::path& file, const std::string& base) {
 std::string tuned_file_text(const fs::path& file, const study::TuningPlan& plan, const study::TuningRecord& record,
                             const std::string& program, const std::string& fingerprint) {
   const study::Finalist& tuned = record.finalists[*record.tuned()];
-  std::string name = plan.name + "_tuned";
+  std::string name = plan.asked.name + "_tuned";
   if (name.size() > 64) name.resize(64);  // config::to_name
   return header(plan, record, program, fingerprint) +
-         study::tuned_team(plan, tuned.values, name, base_from(file, plan.team));
+         study::tuned_team(plan, tuned.values, name, base_from(file, plan.asked.team));
 }
 
 }  // namespace regista::report

@@ -105,7 +105,7 @@ std::optional<Figure> convergence(const TuningView& view) {
           ? std::string()
           : fmt::format(
                 " Dashed, with bands of {:.4g} %: the tuned team and the base team on the pairs of the verification.",
-                100.0 * view.plan.confidence));
+                100.0 * view.plan.confidence()));
   out.csv = "matches,evaluation,value,best,failed\n";
   for (const study::SearchStep* const each : steps) {
     const double value = of_objective(objective, each->played.counted);
@@ -195,7 +195,7 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   out.description = fmt::format(
       "The objective over this parameter alone, all others as in finalist {}. Whiskers: intervals of {:.4g} %. "
       "Triangle: the point that was found. Dashed: the base team's value. {}{}.",
-      *centre + 1, 100.0 * view.plan.confidence,
+      *centre + 1, 100.0 * view.plan.confidence(),
       more_than_chance(of) ? fmt::format("Importance {:.3g}, ", of.importance) : std::string("Importance: "),
       importance_text(of));
   AxisRange range;

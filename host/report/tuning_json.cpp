@@ -16,8 +16,7 @@ using Json = nlohmann::ordered_json;
 Json values(const study::ParameterValues& of) { return Json(of); }
 
 Json budget(const study::TuningPlan& plan) {
-  Json out{{"evaluations", plan.evaluations(plan.algorithm)},
-           {"pairs_of_an_evaluation", plan.pairs_of(plan.algorithm)}};
+  Json out{{"evaluations", plan.evaluations()}, {"pairs_of_an_evaluation", plan.pairs_of_evaluation()}};
   out.update(budget_json(plan));
   return out;
 }
@@ -76,7 +75,7 @@ Json verification(const TuningView& view) {
                           {"packets_of_short_games", packets_json(each.packets)}});
   }
   return {{"pairs", view.record.verification.pairs()},
-          {"against", view.plan.head_to_head ? "base" : "opponents"},
+          {"against", view.plan.head_to_head() ? "base" : "opponents"},
           {"candidates", candidates}};
 }
 
@@ -129,9 +128,10 @@ std::string tuning_json(const TuningView& view) {
   const study::TuningPlan& plan = view.plan;
   const TuningVerdict verdict = tuning_verdict(view);
   Json out = problem_json(plan);
-  out["algorithm"] = name(plan.algorithm);
-  out["seed"] = plan.seed;
-  out["confidence"] = plan.confidence;
+  out["played"] = played_json(what_was_played(plan));
+  out["algorithm"] = name(plan.algorithm());
+  out["seed"] = plan.seed();
+  out["confidence"] = plan.confidence();
   out["budget"] = budget(plan);
   out["complete"] = !view.record.stage;
   out["stage"] = view.record.stage ? Json(name(*view.record.stage)) : Json(nullptr);

@@ -65,9 +65,9 @@ Json json_of_score(const study::TuningObjective& objective, const std::optional<
 
 Json problem_json(const study::TuningPlan& plan) {
   Json out;
-  out["tuning"] = plan.name;
-  out["question"] = plan.question;
-  out["team"] = plan.team;
+  out["tuning"] = plan.asked.name;
+  out["question"] = plan.asked.question;
+  out["team"] = plan.asked.team;
   out["set"] = plan.settings;
   out["objective"] = objective(plan.objective);
   out["parameters"] = parameters(plan);
@@ -79,13 +79,13 @@ Json problem_json(const study::TuningPlan& plan) {
 Json budget_json(const study::TuningPlan& plan) {
   Json out;
   out["search_pairs"] = plan.search_pairs;
-  out["minutes"] = json_or_null(plan.minutes);
-  out["finalists"] = plan.finalists;
+  out["minutes"] = json_or_null(plan.asked.search.minutes);
+  out["finalists"] = plan.finalists();
   out["selection_pairs"] = plan.selection_pairs;
-  out["candidates"] = plan.candidates;
+  out["candidates"] = plan.candidates();
   out["verification_pairs"] = plan.verification_pairs;
-  out["slice_points"] = plan.slice_points;
-  out["slice_pairs"] = plan.slice_pairs;
+  out["slice_points"] = plan.slice_points();
+  out["slice_pairs"] = plan.slice_pairs();
   return out;
 }
 

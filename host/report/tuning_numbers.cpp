@@ -37,11 +37,11 @@ MatchesByStage matches_by_stage(const TuningView& view) {
   if (!record.trace.empty()) out.search = record.trace.back().matches;
   out.selection = record.finalists.size() * plan.selection_pairs * pair;
   const std::uint64_t candidates = record.verification.of().size();
-  out.verification = record.verification.pairs() * (plan.head_to_head ? 2 * candidates : (candidates + 1) * pair);
+  out.verification = record.verification.pairs() * (plan.head_to_head() ? 2 * candidates : (candidates + 1) * pair);
   if (record.slices.empty()) return out;
   std::uint64_t points = 1;  // the tuned one, which all slices share
   for (const study::Slice& each : record.slices) points += each.points.size() - 1;
-  out.slices = points * plan.slice_pairs * pair;
+  out.slices = points * plan.slice_pairs() * pair;
   return out;
 }
 
@@ -92,14 +92,14 @@ std::vector<CandidateVerdict> candidate_verdicts(const TuningView& view) {
                                       : of_objective(plan.objective, scores.estimate());
     each.p = scores.p();
     each.adjusted = adjusted[i];
-    if (!plan.head_to_head && each.pairs > 0) {
-      each.value = of_objective(plan.objective, mean_of(scores.candidate(), plan.confidence));
-      each.base = of_objective(plan.objective, mean_of(scores.base(), plan.confidence));
+    if (!plan.head_to_head() && each.pairs > 0) {
+      each.value = of_objective(plan.objective, mean_of(scores.candidate(), plan.confidence()));
+      each.base = of_objective(plan.objective, mean_of(scores.base(), plan.confidence()));
     }
-    const bool known = plan.head_to_head ? finalist.selected.score.pairs > 0 : each.pairs > 0;
+    const bool known = plan.head_to_head() ? finalist.selected.score.pairs > 0 : each.pairs > 0;
     if (finalist.seen && finalist.seen->score.pairs > 0 && known) {
       each.optimism =
-          finalist.seen->score.mean - (plan.head_to_head ? finalist.selected.score.mean : scores.candidate().mean());
+          finalist.seen->score.mean - (plan.head_to_head() ? finalist.selected.score.mean : scores.candidate().mean());
     }
   }
   return out;

@@ -121,7 +121,7 @@ Html finalists_section(const TuningView& view) {
   Html out =
       note_paragraph(fmt::format("In the order of the selection, whose pairs the search did not play. In brackets: "
                                  "{:.4g} % intervals of Student's t.",
-                                 100.0 * view.plan.confidence));
+                                 100.0 * view.plan.confidence()));
   return section("finalists", "Finalists"_html,
                  out << "<div class=\"values\">"_html << table.html() << "</div>\n"_html);
 }
@@ -154,6 +154,11 @@ Html trace_section(const TuningView& view) {
   return section("trace", "Trace of the search"_html, out);
 }
 
+Html team_section(const study::TuningPlan& plan) {
+  Html out = "<details><summary>In full</summary>\n"_html;
+  return section("base", "The base team"_html, out << block(plan.document) << "</details>\n"_html);
+}
+
 }  // namespace
 
 std::string tuning_page(const TuningPage& page) {
@@ -161,13 +166,15 @@ std::string tuning_page(const TuningPage& page) {
   const study::MatchTally& tally = view.record.tally;
   const TuningVerdict verdict = tuning_verdict(view);
   const std::string title = problem_title(view.plan);
+  const WhatWasPlayed played = what_was_played(view.plan);
   Html out = page_begin(title);
   out << doubts_note(tally.remarks)
-      << verdict_header(title, verdict.headline, unfinished_sentence(view), view.plan.question) << tiles(view)
-      << findings_section(view, verdict) << setup_section(view.plan, setup_sentences(view)) << convergence_section(page)
-      << values_section(page) << slices_section(page) << finalists_section(view) << trace_section(view)
-      << unplayed_section(tally.unplayed_pairs, tally.remarks) << failures_section(view.plan, tally.forfeits)
-      << reproduction_section(view.plan, page.played) << remarks_note(tally.remarks) << page_end();
+      << verdict_header(title, verdict.headline, unfinished_sentence(view), view.plan.asked.question) << tiles(view)
+      << played_section(played) << findings_section(view, verdict) << setup_section(view.plan, setup_sentences(view))
+      << convergence_section(page) << values_section(page) << slices_section(page) << finalists_section(view)
+      << trace_section(view) << unplayed_section(tally.unplayed_pairs, tally.remarks)
+      << failures_section(view.plan, tally.forfeits) << team_section(view.plan) << again_section(played, page.results)
+      << remarks_note(tally.remarks) << page_end();
   return out.str();
 }
 

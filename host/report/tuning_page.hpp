@@ -14,7 +14,7 @@ namespace regista::report {
 struct TuningPage {
   TuningView view;
   std::vector<PageFigure> figures;
-  PlayedBy played;
+  PlayedResults results;
 };
 
 std::string tuning_page(const TuningPage& page);

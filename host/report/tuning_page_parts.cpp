@@ -8,23 +8,6 @@
 #include "report/tuning_problem.hpp"
 
 namespace regista::report {
-namespace {
-
-std::vector<campaign::Input> all_inputs(const study::TuningPlan& plan) {
-  std::vector<campaign::Input> out;
-  const auto add = [&out](const campaign::Job& job) {
-    for (const auto* inputs : {&job.common_inputs, &job.home_inputs, &job.away_inputs}) {
-      out.insert(out.end(), inputs->begin(), inputs->end());
-    }
-  };
-  for (const study::TuningOpponent& each : plan.opponents) add(each.jobs[0]);
-  if (plan.head_to_head) add(plan.base.jobs[0]);
-  for (const study::Opening& opening : plan.openings) out.push_back(opening.input);
-  return out;
-}
-
-}  // namespace
-
 Html sentence_list(const std::vector<std::string>& sentences) {
   if (sentences.empty()) return {};
   Html out = "<ul>\n"_html;
@@ -83,23 +66,6 @@ Html failures_section(const study::TuningPlan& plan, const study::ForfeitList& f
   out << table.html() << "</div>\n"_html;
   if (forfeits.unlisted() > 0) out << note_paragraph(fmt::format("{} more for other reasons.", forfeits.unlisted()));
   return section("failures", "Forfeits"_html, out);
-}
-
-Html reproduction_section(const study::TuningPlan& plan, const PlayedBy& played) {
-  Html out = "<p>In the folder "_html;
-  out << code(plan.folder) << ", with the program and the files of the hashes below:</p>\n"_html
-      << block(played.command) << "<p class=\"note\">Regista "_html << text(played.program)
-      << " began these results. Parameters, ranges, budgets, seeds, test and hashes were stored before the first match. Fingerprint of all matches (the same matches have the same one): "_html
-      << code(played.fingerprint.empty() ? "–" : played.fingerprint) << "</p>\n"_html;
-  if (plan.minutes) {
-    out << note_paragraph(
-        "The search had a limit of wall time. If that limit ended it, the same command may end it at another "
-        "evaluation on another machine.");
-  }
-  out << "<details><summary>The base team in full</summary>\n"_html << block(plan.document)
-      << "</details>\n<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(all_inputs(plan))
-      << "</details>\n"_html;
-  return section("reproduction", "Playing it again"_html, out);
 }
 
 }  // namespace regista::report

@@ -25,12 +25,4 @@ Html setup_section(const study::TuningPlan& plan, const std::vector<std::string>
 
 Html failures_section(const study::TuningPlan& plan, const study::ForfeitList& forfeits);
 
-// By whom and how the matches were played.
-struct PlayedBy {
-  std::string program;      // version
-  std::string fingerprint;  // of the results
-  std::string command;      // that plays it again
-};
-Html reproduction_section(const study::TuningPlan& plan, const PlayedBy& played);
-
 }  // namespace regista::report

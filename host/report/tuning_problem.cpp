@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "config/text.hpp"
+#include "config/values.hpp"
 #include "report/objective_numbers.hpp"
 #include "report/tournament.hpp"
 #include "report/visible_text.hpp"
@@ -33,7 +35,7 @@ std::string opponents_text(const study::TuningPlan& plan) {
 }
 
 std::string base_sentence(const study::TuningPlan& plan) {
-  std::string out = fmt::format("Base team: {}", visible(plan.team));
+  std::string out = fmt::format("Base team: {}", visible(plan.asked.team));
   for (std::size_t i = 0; i < plan.settings.size(); ++i) {
     out += fmt::format("{}{}", i == 0 ? " with " : ", ", visible(plan.settings[i]));
   }
@@ -63,8 +65,8 @@ std::string team_of(const campaign::Job& job, std::size_t side) {
 std::string pairs_text(std::uint64_t count) { return counted(count, "pair", "pairs"); }
 
 std::string problem_title(const study::TuningPlan& plan) {
-  return fmt::format("{}: {} of {}, {} as {} as possible", visible(plan.name),
-                     counted(plan.free_parameters(), "parameter", "parameters"), file_name(plan.team),
+  return fmt::format("{}: {} of {}, {} as {} as possible", visible(plan.asked.name),
+                     counted(plan.free_parameters(), "parameter", "parameters"), file_name(plan.asked.team),
                      visible(in_words(plan.objective)), plan.objective.minimise ? "small" : "large");
 }
 
@@ -124,14 +126,31 @@ std::string match_text(const std::string& stage, const campaign::Job& job, const
   return config::one_line(out);
 }
 
-std::vector<std::string> tuning_arguments(const study::TuningPlan& plan, const std::vector<std::string>& more) {
-  std::vector<std::string> words{"tune", plan.file};
-  for (const std::string& each : plan.overrides) words.insert(words.end(), {"--set", each});
-  words.insert(words.end(), more.begin(), more.end());
-  for (const std::string& each : plan.base.jobs[0].plugins) words.insert(words.end(), {"--plugins", each});
-  words.insert(words.end(), {"--processor-seconds", std::to_string(plan.limits.processor_seconds), "--memory",
-                             std::to_string(plan.limits.memory >> 20)});
-  return words;
+WhatWasPlayed what_was_played(const study::TuningPlan& plan) {
+  std::vector<campaign::Input> openings;
+  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
+  const campaign::Job& first = plan.opponents.front().jobs[0];
+  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, openings);
+  out.teams.push_back(played_team("the team that is tuned", plan.asked.team, first.home_inputs,
+                                  profile_of(first.common_inputs, "home disturbance", plan.asked.disturbance)));
+  out.teams.back().set = plan.settings;
+  for (const study::TuningOpponent& each : plan.opponents) {
+    const campaign::Job& job = each.jobs[0];
+    out.teams.push_back(
+        played_team(each.label, each.file, job.away_inputs,
+                    profile_of(job.common_inputs, "away disturbance", plan.asked.opponent_disturbance)));
+  }
+  for (const config::Override& each : study::settings_of(plan, false)) {
+    const std::string text = to_string(each);
+    if (std::ranges::find(plan.settings, text) == plan.settings.end()) out.set.push_back(text);
+  }
+  out.amount = fmt::format("{} matches at most, {} of them for the search, seed {}", most_matches(plan),
+                           most_matches(plan, study::TuningStage::search), plan.seed());
+  out.program = plan.program;
+  out.folder = plan.folder;
+  out.plugins = plan.plugins;
+  out.document = config::document_text(plan.asked);
+  return out;
 }
 
 }  // namespace regista::report

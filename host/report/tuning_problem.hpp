@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is searched for, as every study reports it that searches the values of a team: which numbers of which team,
-// against whom, by which objective; in sentences, in words for tables, and as the command that asks for it.
+// against whom, by which objective; in sentences, and in words for tables.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,15 @@
 
 #include "campaign/job.hpp"
 #include "config/text.hpp"
+#include "report/what_was_played.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::report {
 
 using config::counted;                        // "1 run", "2 runs"
 std::string pairs_text(std::uint64_t count);  // "1 pair"
+
+WhatWasPlayed what_was_played(const study::TuningPlan& plan);
 
 // "weights: 3 parameters of paper.yaml, goal_difference as large as possible"
 std::string problem_title(const study::TuningPlan& plan);
@@ -38,9 +41,5 @@ std::string forfeiter(const study::TuningPlan& plan, std::size_t team);  // of a
 
 // "search, seed 12: small 1:0 other": a match that was taken, in a line without its end.
 std::string match_text(const std::string& stage, const campaign::Job& job, const campaign::Decided& decided);
-
-// What was asked for, as words of the command line: "tune", "configs/studies/weights.yaml", ... more: words of the
-// study besides those of its document.
-std::vector<std::string> tuning_arguments(const study::TuningPlan& plan, const std::vector<std::string>& more = {});
 
 }  // namespace regista::report

@@ -34,7 +34,10 @@ std::vector<Figure> TuningReport::figures() const { return tuning_figures(view()
 std::string TuningReport::page(PageFrame frame) const {
   return tuning_page({view(),
                       std::move(frame.figures),
-                      {frame.program, fingerprint_.text(), process::command_line(tuning_arguments(plan_))}});
+                      {frame.results.filename().string(), frame.program, fingerprint_.text(),
+                       plan_.asked.search.minutes ? "The search had a limit of wall time. If that limit ended it, "
+                                                    "another machine may end it at another evaluation."
+                                                  : ""}});
 }
 
 }  // namespace regista::report

@@ -32,7 +32,7 @@ class TuningReport final : public StudyReport {
   void tuned_file(std::string file) { tuned_file_ = std::move(file); }
 
   std::string title() const override { return problem_title(plan_); }
-  std::string question() const override { return plan_.question; }
+  std::string question() const override { return plan_.asked.question; }
   std::string headline() const override { return tuning_verdict(view()).headline; }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return tuning_standing(view()); }

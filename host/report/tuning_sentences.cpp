@@ -20,30 +20,30 @@ namespace {
 using study::TuningStage;
 
 std::string search_plan_sentence(const study::TuningPlan& plan) {
-  std::string out = fmt::format("Search: {} ({}), at most {} of {}", name(plan.algorithm), summary(plan.algorithm),
-                                counted(plan.evaluations(plan.algorithm), "evaluation", "evaluations"),
-                                pairs_text(plan.pairs_of(plan.algorithm)));
-  if (plan.minutes) out += fmt::format(", and at most {:.6g} min", *plan.minutes);
-  if (plan.population > 0) out += fmt::format(", population {}", plan.population);
-  return out + fmt::format(", seed {}.", plan.seed);
+  std::string out =
+      fmt::format("Search: {} ({}), at most {} of {}", name(plan.algorithm()), summary(plan.algorithm()),
+                  counted(plan.evaluations(), "evaluation", "evaluations"), pairs_text(plan.pairs_of_evaluation()));
+  if (plan.asked.search.minutes) out += fmt::format(", and at most {:.6g} min", *plan.asked.search.minutes);
+  if (plan.population() > 0) out += fmt::format(", population {}", plan.population());
+  return out + fmt::format(", seed {}.", plan.seed());
 }
 
 std::string verification_plan_sentence(const study::TuningPlan& plan) {
   std::string out = fmt::format("Selection: at most {} on {} that the search did not play. ",
-                                counted(plan.finalists, "finalist", "finalists"), pairs_text(plan.selection_pairs));
-  if (plan.verification_pairs == 0 || plan.candidates == 0) return out + "Nothing is verified.";
+                                counted(plan.finalists(), "finalist", "finalists"), pairs_text(plan.selection_pairs));
+  if (plan.verification_pairs == 0 || plan.candidates() == 0) return out + "Nothing is verified.";
   out += fmt::format(
       "Verification: {} against the base team, {}, on at most {} with held-out seeds; a paired sequential test at "
       "{:.4g} %, two-sided, valid after every pair",
-      plan.candidates == 1 ? std::string("the best of them")
-                           : fmt::format("the best of them, at most {},", plan.candidates),
-      plan.head_to_head ? "playing each other" : "both against the same opponents", pairs_text(plan.verification_pairs),
-      100.0 * (1.0 - plan.confidence));
-  return out + (plan.candidates > 1 ? ", corrected by Holm." : ".");
+      plan.candidates() == 1 ? std::string("the best of them")
+                             : fmt::format("the best of them, at most {},", plan.candidates()),
+      plan.head_to_head() ? "playing each other" : "both against the same opponents",
+      pairs_text(plan.verification_pairs), 100.0 * (1.0 - plan.confidence()));
+  return out + (plan.candidates() > 1 ? ", corrected by Holm." : ".");
 }
 
 std::string interval_words(const study::TuningPlan& plan, std::size_t candidates) {
-  return fmt::format("anytime-valid {:.4g} % interval{}", 100.0 * plan.confidence,
+  return fmt::format("anytime-valid {:.4g} % interval{}", 100.0 * plan.confidence(),
                      candidates > 1 ? ", for all candidates together" : "");
 }
 
@@ -80,7 +80,7 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
     case study::VerifiedAs::undecided:
       break;
   }
-  if (each.forfeited && each.adjusted <= 1.0 - view.plan.confidence) {
+  if (each.forfeited && each.adjusted <= 1.0 - view.plan.confidence()) {
     return "not found better, because it forfeited a match of the verification";
   }
   return over ? fmt::format("no difference from the base team was found in {}, which does not show that there is none",
@@ -92,8 +92,8 @@ std::string optimism_text(const TuningView& view, const CandidateVerdict& each) 
   if (!each.seen) return "The search did not play this point: it is the mean of points that the search played.";
   if (!each.optimism) return {};
   const double margin = std::abs(*each.optimism) / 10.0;
-  const char* const where = view.plan.head_to_head ? "the selection" : "the verification";
-  const study::MeanEstimate& came = view.plan.head_to_head ? each.selected : *each.value;
+  const char* const where = view.plan.head_to_head() ? "the selection" : "the verification";
+  const study::MeanEstimate& came = view.plan.head_to_head() ? each.selected : *each.value;
   std::string out = fmt::format("The search had {}, {} gave {}", with_interval(*each.seen), where, with_interval(came));
   return out + (*each.optimism > 0.0
                     ? fmt::format(": the search was too optimistic by {}.", rounded(*each.optimism, margin))
@@ -144,7 +144,7 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
   }
   const auto gave_up = [&](const auto& each) {
     return each.forfeited && each.finding == study::VerifiedAs::undecided &&
-           each.adjusted <= 1.0 - view.plan.confidence;
+           each.adjusted <= 1.0 - view.plan.confidence();
   };
   if (std::ranges::any_of(candidates, gave_up)) {
     return "The tuned team was not found better: it forfeited a match of the verification.";
@@ -164,7 +164,7 @@ std::string unfinished_sentence(const TuningView& view) {
   switch (*record.stage) {
     case TuningStage::search:
       return fmt::format("{}search, {} of at most {}.", begin, record.trace.size(),
-                         counted(plan.evaluations(plan.algorithm), "evaluation", "evaluations"));
+                         counted(plan.evaluations(), "evaluation", "evaluations"));
     case TuningStage::selection:
       return fmt::format("{}selection of the finalists.", begin);
     case TuningStage::verification:
@@ -214,7 +214,7 @@ std::vector<std::string> search_sentences(const TuningView& view) {
 
 TuningVerdict tuning_verdict(const TuningView& view) {
   const std::vector<CandidateVerdict> candidates = candidate_verdicts(view);
-  TuningVerdict out{caution(view.record.tally.remarks, view.plan.limits) + headline_of_tuning(view, candidates), {}};
+  TuningVerdict out{caution(view.record.tally.remarks, view.plan.limits()) + headline_of_tuning(view, candidates), {}};
   for (const CandidateVerdict& each : candidates) {
     out.beside.push_back(candidate_sentence(view, each, candidates.size()));
   }
@@ -270,7 +270,7 @@ std::string slices_note(const TuningView& view) {
       "Each parameter varied alone around finalist {}, on {} of other seeds. Importance: standard deviation of the "
       "objective{} over the parameter's range, less the part that chance explains. p: of the hypothesis that the "
       "parameter has no effect, for each parameter alone.",
-      slice_centre(view.record).value_or(0) + 1, pairs_text(view.plan.slice_pairs),
+      slice_centre(view.record).value_or(0) + 1, pairs_text(view.plan.slice_pairs()),
       unit_of(view.plan.objective).empty() ? std::string() : fmt::format(" ({})", unit_of(view.plan.objective)));
 }
 

@@ -38,7 +38,7 @@ std::string finalists_table(const TuningView& view) {
   return fmt::format(
              "\nFinalists, with {:.4g} % intervals; the value in the search is optimistic (parameters: --json, or the "
              "page)\n",
-             100.0 * view.plan.confidence) +
+             100.0 * view.plan.confidence()) +
          indented(table.text());
 }
 
@@ -103,7 +103,7 @@ std::string stage_line(const TuningView& view) {
   if (!record.stage) return "all is done";
   switch (*record.stage) {
     case TuningStage::search:
-      return fmt::format("search, evaluation {} of at most {}", record.trace.size(), plan.evaluations(plan.algorithm));
+      return fmt::format("search, evaluation {} of at most {}", record.trace.size(), plan.evaluations());
     case TuningStage::verification:
       return fmt::format("verification, pair {} of at most {}", record.verification.pairs(), plan.verification_pairs);
     case TuningStage::selection:
@@ -131,8 +131,9 @@ std::string tuning_standing(const TuningView& view) {
 
 std::string tuning_text(const TuningView& view) {
   std::string out = doubts_text(view.record.tally.remarks) + problem_title(view.plan) + '\n';
-  if (!view.plan.question.empty()) out += visible(view.plan.question) + '\n';
+  if (!view.plan.asked.question.empty()) out += visible(view.plan.asked.question) + '\n';
   if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
+  out += played_text(what_was_played(view.plan));
   const TuningVerdict verdict = tuning_verdict(view);
   out += '\n' + verdict.headline + '\n';
   for (const std::string& each : verdict.beside) out += fmt::format("  {}\n", each);

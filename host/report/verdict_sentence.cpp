@@ -91,7 +91,8 @@ void no_verdict(const TournamentView& view, VerdictSentence& out) {
 
 void of_sequential_test(const TournamentView& view, const Meeting& meeting, VerdictSentence& out) {
   const study::Verdict verdict = view.course.verdict();
-  const auto* const score = std::get_if<study::ScoreTest>(&view.plan.objective);
+  const study::Objective objective = view.plan.objective();
+  const auto* const score = std::get_if<study::ScoreTest>(&objective);
   if (verdict == study::Verdict::prevented) {
     no_verdict(view, out);
     return;
@@ -116,7 +117,7 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Verd
         score->design.model == statistics::Model::logistic ? "Elo" : "nElo", score->design.rates.alpha,
         score->design.rates.beta)));
   } else {
-    const auto& test = std::get<study::ValueTest>(view.plan.objective);
+    const auto test = std::get<study::ValueTest>(view.plan.objective());
     out.sentence = by_value(view, meeting, test.value);
     out.beside.push_back(text(fmt::format("The test found a difference, with an error rate of {:.4g}.", test.alpha)));
     if (meeting.metric && (meeting.metric->difference().mean() > 0.0) != view.course.first_has_more()) {
@@ -236,7 +237,7 @@ void of_several(const TournamentView& view, VerdictSentence& out) {
     return;
   }
   const PValues p = p_values(view.course);
-  if (view.plan.format == study::Format::gauntlet)
+  if (view.plan.asked.format == config::Tournament::Format::gauntlet)
     of_gauntlet(view, p, out);
   else
     of_round_robin(view, p, out);
@@ -258,7 +259,7 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
     of_two(view, out);
   else
     of_several(view, out);
-  out.sentence = text(caution(view.course.remarks(), view.plan.limits)) << out.sentence;
+  out.sentence = text(caution(view.course.remarks(), view.plan.limits())) << out.sentence;
   for (const study::SetAside& each : view.course.set_aside()) {
     Html line = team(view, each.team);
     const std::string whose = each.plugin.empty() ? "a plugin of it" : "its plugin " + each.plugin;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "config/bad_input.hpp"
 #include "config/file.hpp"
 #include "config/team_size.hpp"
 #include "config/text.hpp"
@@ -100,28 +101,23 @@ class Checker {
       }
       case DocumentKind::tournament:
         config::read_tournament(document, mistakes);
-        look_at_study(check_tournament, out, mistakes);  // every team from every scene
+        look_at_study(check_tournament, document, mistakes);  // every team from every scene
         break;
       case DocumentKind::experiment:
         config::read_experiment(document, mistakes);
-        look_at_study(check_experiment, out, mistakes);  // every arm at every value
+        look_at_study(check_experiment, document, mistakes);  // every arm at every value
         break;
       case DocumentKind::tuning:
         config::read_tuning(document, mistakes);
-        look_at_study(check_tuning, out, mistakes);  // team, opponents, parameters
+        look_at_study(check_tuning, document, mistakes);  // team, opponents, parameters
         break;
     }
   }
 
   // A study whose document is sound in itself: whether it can be planned.
-  template <class Request>
-  void look_at_study(void (*plan)(const Request&, const plugin::Catalogue&, config::Mistakes&),
-                     const DocumentCheck& out, config::Mistakes& mistakes) const {
-    if (!mistakes.none()) return;
-    Request request;
-    request.file = out.file;
-    request.plugins = plugins_;
-    plan(request, catalogue_, mistakes);
+  template <class Plan>
+  void look_at_study(Plan plan, const config::Node& document, config::Mistakes& mistakes) const {
+    if (mistakes.none()) plan(document, plugins_, catalogue_, mistakes);
   }
 
   void look_at_team(const config::Node& document, DocumentCheck& out, config::Mistakes& mistakes) const {

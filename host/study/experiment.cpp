@@ -67,7 +67,7 @@ void Experiment::take(const campaign::Decided& decided) {
   if (decided.set_aside()) {
     // There is nothing to be counted.
     if (++set_aside_[trial.condition] == most_set_aside && unplayable_.empty())
-      unplayable_ = why_unplayable(plan_.arms[plan_.conditions[trial.condition].arm].name, decided.why_set_aside);
+      unplayable_ = why_unplayable(plan_.asked.arms[plan_.conditions[trial.condition].arm].name, decided.why_set_aside);
   } else if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
     forfeits_.add(own ? trial.condition : plan_.conditions.size(), *decided.failure, next_);
@@ -127,16 +127,17 @@ std::optional<double> Experiment::playing_seconds_of_a_match(std::size_t conditi
 }
 
 MeanEstimate Experiment::mean(std::size_t condition, std::size_t measure) const {
-  return mean_of(values(condition, measure), plan_.confidence);
+  return mean_of(values(condition, measure), plan_.asked.confidence);
 }
 
 MeanEstimate Experiment::difference(const Comparison& comparison, std::size_t measure) const {
-  return difference_of(values(comparison.first, measure), values(comparison.second, measure), plan_.confidence);
+  return difference_of(values(comparison.first, measure), values(comparison.second, measure), plan_.asked.confidence);
 }
 
 std::optional<std::size_t> primary_measure(const ExperimentPlan& plan) {
-  const auto found = std::ranges::find(plan.measures, plan.primary);
-  if (plan.primary.empty() || found == plan.measures.end()) return std::nullopt;
+  const std::string primary = plan.primary();
+  const auto found = std::ranges::find(plan.measures, primary);
+  if (primary.empty() || found == plan.measures.end()) return std::nullopt;
   return static_cast<std::size_t>(found - plan.measures.begin());
 }
 
@@ -145,12 +146,12 @@ std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& cour
   std::vector<Finding> out;
   if (!measure) return out;
   std::vector<double> tested, without;
-  for (const Comparison& each : plan.comparisons) {
+  for (const Comparison& each : plan.comparisons()) {
     Finding& finding = out.emplace_back(Finding{each, course.difference(each, *measure), {}, {}, {}, false});
     if (!course.complete()) continue;
     const PartlyPlayed first{course.values(each.first, *measure), course.unplayed(each.first)},
         second{course.values(each.second, *measure), course.unplayed(each.second)};
-    const auto p = p_of_difference(first.values, second.values, plan.test);
+    const auto p = p_of_difference(first.values, second.values, plan.test());
     if (p) {
       finding.p = p->p;
       finding.by = p->by;
@@ -158,7 +159,7 @@ std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& cour
     finding.unplayed_pairs = unplayed_pairs(first, second);
     // How many comparisons there are was fixed beforehand: one without a p is none that was never asked for.
     without.push_back(finding.p.value_or(1.0));
-    tested.push_back(finding.p ? p_either_way(first, second, plan.test) : 1.0);
+    tested.push_back(finding.p ? p_either_way(first, second, plan.test()) : 1.0);
   }
   if (tested.empty()) return out;
   const std::vector<double> adjusted = statistics::holm(tested), adjusted_without = statistics::holm(without);
@@ -166,8 +167,8 @@ std::vector<Finding> findings(const ExperimentPlan& plan, const Experiment& cour
     Finding& each = out[i];
     if (!each.p) continue;
     each.adjusted = adjusted[i];
-    each.found = *each.adjusted <= 1.0 - plan.confidence;
-    each.prevented = !each.found && adjusted_without[i] <= 1.0 - plan.confidence;
+    each.found = *each.adjusted <= 1.0 - plan.asked.confidence;
+    each.prevented = !each.found && adjusted_without[i] <= 1.0 - plan.asked.confidence;
   }
   return out;
 }

@@ -32,7 +32,7 @@ class Experiment final : public Study {
   std::uint64_t most_matches() const override { return plan_.matches(); }
   std::uint64_t counted() const override { return next_; }
   campaign::Metrics metrics() const override { return campaign::Metrics::wanted; }
-  const campaign::Limits& limits() const override { return plan_.limits; }
+  campaign::Limits limits() const override { return plan_.limits(); }
   const std::string& folder() const override { return plan_.folder; }
   std::string plan() const override { return to_json(plan_); }
   std::vector<std::string> differences(const std::string& before) const override {

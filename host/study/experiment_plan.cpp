@@ -8,38 +8,23 @@
 #include <stdexcept>
 
 #include "campaign/inputs.hpp"
+#include "config/documents.hpp"
+#include "config/flow.hpp"
+#include "match/metric_table.hpp"
+#include "study/older_plans.hpp"
 #include "study/plan_differences.hpp"
 #include "study/plan_fields.hpp"
+#include "study/settings.hpp"
 
 namespace regista::study {
 namespace {
 
-constexpr int experiment_plan_version = 1;
+constexpr int experiment_plan_version = 2;
 
 // What the course of an experiment relies on.
 bool sound(const ExperimentPlan& plan) {
-  if (plan.arms.empty() || plan.values.empty() || plan.pairs == 0 || plan.measures.empty()) return false;
-  if (plan.conditions.size() != plan.arms.size() * plan.values.size()) return false;
-  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
-    if (plan.condition(plan.conditions[i].arm, plan.conditions[i].value) != i) return false;
-  }
-  const auto known = [&](const Comparison& each) {
-    return each.first < plan.conditions.size() && each.second < plan.conditions.size();
-  };
-  return std::ranges::all_of(plan.comparisons, known) && plan.confidence > 0.0 && plan.confidence < 1.0 &&
-         plan.pairs <= UINT64_MAX / 2 / plan.conditions.size() && plan.first_seed <= UINT64_MAX - (plan.pairs - 1);
-}
-
-std::string in_words(const ExperimentPlan& plan, const std::vector<Comparison>& comparisons) {
-  std::vector<std::string> out;
-  for (const Comparison& each : comparisons) {
-    out.push_back(fmt::format("{} and {}", label(plan, each.first), label(plan, each.second)));
-  }
-  return out.empty() ? "none" : fmt::format("{}", fmt::join(out, "; "));
-}
-
-std::string in_words(const ExperimentPlan& plan) {
-  return plan.primary.empty() ? "none" : fmt::format("{} of {}", name(plan.test), plan.primary);
+  return plan.pairs > 0 && !plan.measures.empty() && plan.conditions.size() == plan.arms() * plan.values() &&
+         plan.pairs <= UINT64_MAX / 2 / plan.conditions.size();
 }
 
 }  // namespace
@@ -48,64 +33,102 @@ const char* name(PairTest test) { return test == PairTest::sign_flip ? "sign_fli
 
 // Found by their arguments: not in the namespace above.
 
-static bool named(const std::string& text, PairTest& test) {
-  for (const PairTest each : {PairTest::paired_t, PairTest::sign_flip}) {
-    if (text != name(each)) continue;
-    test = each;
-    return true;
+static PlanJson json_of(const Condition& condition) {
+  PlanJson out = PlanJson::array();
+  for (const campaign::Job& job : condition.jobs) {
+    out.push_back({{"home", json_of(job.home_inputs)},
+                   {"away", json_of(job.away_inputs)},
+                   {"common", json_of(job.common_inputs)}});
   }
-  return false;
+  return out;
 }
-
-static PlanJson json_of(const Comparison& comparison) { return {comparison.first, comparison.second}; }
-static void read(const PlanJson& json, Comparison& comparison) {
-  read(json.at(0), comparison.first);
-  read(json.at(1), comparison.second);
-}
-
-template <Like<Arm> Value, class Visit>
-static void fields(Value& arm, Visit& visit) {
-  visit("name", arm.name);
-  visit("file", arm.file);
-  visit("settings", arm.settings);
-}
-
-template <Like<Condition> Value, class Visit>
-static void fields(Value& condition, Visit& visit) {
-  visit("arm", condition.arm);
-  visit("value", condition.value);
-  visit("home", condition.jobs[0]);
-  visit("away", condition.jobs[1]);
+static void read(const PlanJson& json, Condition& condition) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    campaign::Job& job = condition.jobs[side];
+    read(json.at(side).at("home"), job.home_inputs);
+    read(json.at(side).at("away"), job.away_inputs);
+    read(json.at(side).at("common"), job.common_inputs);
+  }
 }
 
 template <Like<ExperimentPlan> Plan, class Visit>
 static void fields(Plan& plan, Visit& visit) {
-  visit("name", plan.name, "the experiment");
-  visit("question", plan.question);
-  visit("arms", plan.arms, "the arms", [](const std::vector<Arm>& arms) {
-    std::vector<std::string> names;
-    for (const Arm& each : arms) names.push_back(each.name);
-    return in_words(names);
-  });
-  visit("opponent", plan.opponent);
-  visit("sweep", plan.sweep, "the path of the sweep");
-  visit("values", plan.values, "the values of the sweep");
   visit("conditions", plan.conditions);
   visit("openings", plan.openings);
-  visit("pairs", plan.pairs, "the number of matches for each arm",
-        [](std::uint64_t pairs) { return std::to_string(2 * pairs); });
-  visit("first_seed", plan.first_seed, "the first seed");
-  visit("measures", plan.measures, "the measures");
-  visit("primary", plan.primary);
-  visit("comparisons", plan.comparisons, "what it compares",
-        [&plan](const std::vector<Comparison>& comparisons) { return in_words(plan, comparisons); });
-  visit("test", plan.test, "the test", [&plan](PairTest) { return in_words(plan); });
-  visit("confidence", plan.confidence, "the confidence");
-  visit.inner("limits", [&plan](auto& inner) { limit_fields(plan.limits, inner); });
+  visit("pairs", plan.pairs);
+  visit("measures", plan.measures);
   visit("folder", plan.folder);
-  visit("file", plan.file);
-  visit("overrides", plan.overrides);
+  visit("plugins", plan.plugins);
+  visit.maybe("program", plan.program);
   visit("documents", plan.documents);
+}
+
+std::string ExperimentPlan::value(std::size_t index) const {
+  return swept() ? config::flow(asked.sweep->values[index]) : std::string();
+}
+
+std::vector<std::string> ExperimentPlan::value_texts() const {
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < values(); ++i) out.push_back(value(i));
+  return out;
+}
+
+std::string ExperimentPlan::primary() const {
+  return asked.primary ? std::string(match::without_roles(asked.primary->measure)) : std::string();
+}
+
+// Arms at each value; a single arm at each value with the first one.
+std::vector<Comparison> ExperimentPlan::comparisons() const {
+  std::vector<Comparison> of_arms, out;
+  if (arms() == 1) {
+    for (std::size_t value = 1; value < values(); ++value) out.push_back({value, 0});
+    return out;
+  }
+  if (asked.primary && !asked.primary->compare.empty()) {
+    const auto index = [&](const config::Node& name) {
+      const auto found = std::ranges::find(asked.arms, name.text(), &config::Experiment::Arm::name);
+      return static_cast<std::size_t>(found - asked.arms.begin());
+    };
+    for (const config::Node& pair : asked.primary->compare) {
+      of_arms.push_back({index(pair.elements()[0]), index(pair.elements()[1])});
+    }
+  } else {
+    for (std::size_t first = 0; first < arms(); ++first) {
+      for (std::size_t second = first + 1; second < arms(); ++second) of_arms.push_back({first, second});
+    }
+  }
+  for (std::size_t value = 0; value < values(); ++value) {
+    for (const Comparison& each : of_arms) out.push_back({condition(each.first, value), condition(each.second, value)});
+  }
+  return out;
+}
+
+const std::string& team_of(const ExperimentPlan& plan, std::size_t arm) {
+  const std::string& own = plan.asked.arms[arm].team;
+  return own.empty() ? plan.asked.team : own;
+}
+
+void make_jobs(ExperimentPlan& plan, const config::Node& document) {
+  plan.conditions.resize(plan.arms() * plan.values());
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    Condition& condition = plan.conditions[i];
+    condition.arm = i % plan.arms();
+    condition.value = i / plan.arms();
+    const config::Overrides settings = settings_of(plan.asked, document, condition.arm, condition.value);
+    for (const std::size_t side : {0u, 1u}) {
+      campaign::Job made = job_under(plan.asked.settings, plan.plugins);
+      made.teams[side] = team_of(plan, condition.arm);
+      made.teams[1 - side] = plan.asked.opponent;
+      (side == 0 ? made.home_disturbance : made.away_disturbance) = plan.asked.disturbance;
+      (side == 0 ? made.away_disturbance : made.home_disturbance) = plan.asked.opponent_disturbance;
+      made.overrides = as_typed(on_side(settings, side));
+      campaign::Job& job = condition.jobs[side];
+      made.home_inputs = std::move(job.home_inputs);
+      made.away_inputs = std::move(job.away_inputs);
+      made.common_inputs = std::move(job.common_inputs);
+      job = std::move(made);
+    }
+  }
 }
 
 Trial trial(const ExperimentPlan& plan, std::uint64_t index) {
@@ -114,7 +137,7 @@ Trial trial(const ExperimentPlan& plan, std::uint64_t index) {
   out.side = static_cast<std::size_t>(index % 2);
   out.condition = static_cast<std::size_t>(index / 2 % plan.conditions.size());
   out.pair = index / 2 / plan.conditions.size();
-  out.seed = plan.first_seed + out.pair;
+  out.seed = plan.first_seed() + out.pair;
   out.opening = static_cast<std::size_t>(out.pair % openings);
   out.number = (2 * out.condition + out.side) * openings + out.opening;
   return out;
@@ -144,8 +167,8 @@ std::vector<campaign::Store::Fixture> fixtures(const ExperimentPlan& plan) {
 
 std::string label(const ExperimentPlan& plan, std::size_t condition) {
   const Condition& each = plan.conditions[condition];
-  if (!plan.swept()) return plan.arms[each.arm].name;
-  return fmt::format("{} at {}", plan.arms[each.arm].name, plan.values[each.value]);
+  const std::string& arm = plan.asked.arms[each.arm].name;
+  return plan.swept() ? fmt::format("{} at {}", arm, plan.value(each.value)) : arm;
 }
 
 bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) {
@@ -159,12 +182,24 @@ bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) 
 std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, experiment_plan_version, plan); }
 
 ExperimentPlan experiment_plan_from_json(const std::string& text) {
-  return plan_of<ExperimentPlan>(experiment_study, experiment_plan_version, text,
-                                 [](const ExperimentPlan& plan) { return sound(plan); });
+  return read_plan(text, experiment_study, experiment_plan_version, experiment_of_version_1, [](const PlanJson& json) {
+    ExperimentPlan plan;
+    read(json, plan);
+    config::Mistakes first = mistakes_of_a_plan();
+    plan.asked = config::read_experiment(document_of(json), first);
+    if (!sound(plan)) throw std::out_of_range("what no experiment has");
+    make_jobs(plan, {});
+    return plan;
+  });
 }
 
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now) {
-  std::vector<std::string> out = field_differences(before, now);
+  config::Experiment asked = now.asked;
+  std::vector<std::string> out = config::differences(asked_by(before), declare(asked));
+  if (before.measures != now.measures) {
+    out.push_back(
+        fmt::format("the measures: was {}, now {}", fmt::join(before.measures, ", "), fmt::join(now.measures, ", ")));
+  }
   if (!out.empty()) return out;  // else the same conditions, which can be compared one by one
   InputDifferences inputs;
   for (std::size_t i = 0; i < now.conditions.size(); ++i) {

@@ -19,16 +19,12 @@
 
 #include "campaign/input.hpp"
 #include "campaign/job.hpp"
+#include "campaign/options.hpp"
 #include "campaign/store.hpp"
-#include "campaign/worker.hpp"
+#include "config/experiment.hpp"
 #include "study/opening.hpp"
 
 namespace regista::study {
-
-struct Arm {
-  std::string name, file;
-  std::vector<std::string> settings;  // "path=value", beyond those of the experiment
-};
 
 struct Condition {
   std::size_t arm = 0, value = 0;     // value: 0 where there is no sweep
@@ -40,33 +36,41 @@ struct Comparison {
   std::size_t first = 0, second = 0;
 };
 
-enum class PairTest { paired_t, sign_flip };
+using PairTest = config::PairedTest;
 
 struct ExperimentPlan {
-  std::string name, question;
-  std::vector<Arm> arms;            // one or more
-  std::string opponent;             // file
-  std::string sweep;                // path; empty: none
-  std::vector<std::string> values;  // of the sweep, as YAML; one, empty, without a sweep
-  std::vector<Condition> conditions;
-  std::vector<Opening> openings;  // none: from kick-off
-  std::uint64_t pairs = 0;        // of matches, for each condition
-  std::uint64_t first_seed = 1;
-  std::vector<std::string> measures;  // that are shown, in this order; see study/measure.hpp
-  std::string primary;                // measure that is tested; empty: none
-  std::vector<Comparison> comparisons;
-  PairTest test = PairTest::paired_t;
-  double confidence = 0.95;
-  campaign::Limits limits;             // of each match: they decide who forfeits
-  std::string folder;                  // in which it was begun, absolute: paths are relative to it
-  std::string file;                    // the experiment's document
-  std::vector<std::string> overrides;  // of that document, as typed
+  config::Experiment asked;  // files as they are seen from `folder`
+
+  std::vector<Condition> conditions;   // of their jobs the inputs were found; all else is asked for: see make_jobs()
+  std::vector<Opening> openings;       // all scenes that are asked for; none: from kick-off
+  std::uint64_t pairs = 0;             // of matches, for each condition
+  std::vector<std::string> measures;   // that are shown, in this order; see study/measure.hpp
+  std::string folder;                  // in which it was begun, absolute
+  std::vector<std::string> plugins;    // folders of --plugins
+  std::string program;                 // version that began it; empty: not known
   std::vector<std::string> documents;  // of the arms' teams at the first value, resolved; then of the opponent
 
-  std::size_t condition(std::size_t arm, std::size_t value) const { return value * arms.size() + arm; }
+  std::size_t arms() const { return asked.arms.size(); }
+  std::size_t values() const { return asked.sweep ? asked.sweep->values.size() : 1; }
+  std::size_t condition(std::size_t arm, std::size_t value) const { return value * arms() + arm; }
   std::uint64_t matches() const { return 2 * pairs * conditions.size(); }
-  bool swept() const { return !sweep.empty(); }
+  std::uint64_t first_seed() const { return static_cast<std::uint64_t>(asked.seed); }
+  bool swept() const { return asked.sweep.has_value(); }
+  std::string sweep() const { return swept() ? asked.sweep->path : std::string(); }
+  std::string value(std::size_t index) const;  // of the sweep, as YAML; empty without one
+  std::vector<std::string> value_texts() const;
+  std::string primary() const;  // measure that is tested; empty: none
+  PairTest test() const { return asked.primary ? asked.primary->test : PairTest::paired_t; }
+  std::vector<Comparison> comparisons() const;
+  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 };
+
+// File of an arm's team.
+const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);
+
+// Every condition, with jobs as they are asked for; inputs that they have stay. document: that asked was read from,
+// for the places of errors; may be absent. Throws config::Error for settings that cannot be.
+void make_jobs(ExperimentPlan& plan, const config::Node& document);
 
 // A match of the schedule.
 struct Trial {

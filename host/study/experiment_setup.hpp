@@ -6,25 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "campaign/options.hpp"
-#include "config/bad_input.hpp"
-#include "config/experiment.hpp"
 #include "config/mistakes.hpp"
+#include "config/node.hpp"
 #include "plugin/catalogue.hpp"
 #include "study/experiment_plan.hpp"
 
 namespace regista::study {
 
-struct ExperimentRequest : campaign::Options {
-  std::string file;
-  std::vector<std::string> overrides;  // of the experiment's document
-  std::string minutes, matches;        // instead of what it says; empty: as it says
-};
-
-// Throws config::BadInput and config::Error, at the place in the experiment's document that asks for what is not there.
-ExperimentPlan planned_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue);
+// plugins: folders of the catalogue. Throws config::BadInput and config::Error, at the place that asks for what cannot
+// be.
+ExperimentPlan planned_experiment(const config::Node& document, const std::vector<std::string>& plugins,
+                                  const plugin::Catalogue& catalogue);
 
 // Whether it can be planned: lists every mistake in arms, values and measures.
-void check_experiment(const ExperimentRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+void check_experiment(const config::Node& document, const std::vector<std::string>& plugins,
+                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

@@ -20,12 +20,7 @@ struct NotPlayed {};
 std::string study_of(const std::string& plan) {
   const auto json = nlohmann::ordered_json::parse(plan, nullptr, false);
   if (!json.is_object() || !json.contains("study") || !json["study"].is_string()) return {};
-  return holds_comparison_of_before(json) ? search_comparison_study : json["study"].get<std::string>();
-}
-
-bool holds_comparison_of_before(const nlohmann::ordered_json& plan) {
-  if (!plan.is_object() || !plan.contains("study") || plan["study"] != tuning_study) return false;
-  return plan.contains("compared") && plan["compared"] != nlohmann::ordered_json::array();
+  return json["study"].get<std::string>();
 }
 
 PlayRound observed(PlayRound play, AfterMatch after) {

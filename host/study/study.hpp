@@ -48,12 +48,12 @@ class Study {
 
   // Why it can find nothing any more, though it is not at its end; mostly empty.
   virtual std::string unplayable() const { return {}; }
-  virtual const char* what() const = 0;                // "tournament", for messages
-  virtual std::uint64_t most_matches() const = 0;      // of all rounds
-  virtual std::uint64_t counted() const = 0;           // matches that were taken and count
-  virtual campaign::Metrics metrics() const = 0;       // what it looks at of them
-  virtual const campaign::Limits& limits() const = 0;  // of each match
-  virtual const std::string& folder() const = 0;       // in which it was begun, absolute: paths are relative to it
+  virtual const char* what() const = 0;            // "tournament", for messages
+  virtual std::uint64_t most_matches() const = 0;  // of all rounds
+  virtual std::uint64_t counted() const = 0;       // matches that were taken and count
+  virtual campaign::Metrics metrics() const = 0;   // what it looks at of them
+  virtual campaign::Limits limits() const = 0;     // of each match
+  virtual const std::string& folder() const = 0;   // in which it was begun, absolute: paths are relative to it
 
   // The plan as JSON, from which it can be made again: {"study": KIND, ...}.
   virtual std::string plan() const = 0;

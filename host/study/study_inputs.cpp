@@ -8,18 +8,12 @@
 #include <system_error>
 
 #include "campaign/inputs.hpp"
-#include "campaign/job_setup.hpp"
 #include "config/bad_input.hpp"
 #include "config/documents.hpp"
-#include "config/parse.hpp"
-#include "config/paths.hpp"
-#include "config/profiles.hpp"
 #include "config/read.hpp"
-#include "config/typed.hpp"
 #include "match/metric_table.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
-#include "plugin/declarations.hpp"
 
 namespace regista::study {
 
@@ -76,26 +70,6 @@ std::string from_here(const std::string& absolute) {
   if (absolute.empty()) return absolute;
   const auto relative = std::filesystem::path(absolute).lexically_relative(std::filesystem::current_path());
   return relative.empty() || relative.native().starts_with("..") ? absolute : relative.string();
-}
-
-std::vector<std::string> settable_paths(const campaign::Job& bare, const plugin::Catalogue& catalogue) {
-  campaign::MatchSetup prepared = campaign::match_setup(campaign::request_of(bare), catalogue);
-  std::vector<std::string> out;
-  const auto add = [&](const std::string& before, const std::string& shown) {
-    for (const std::string& each : config::paths_of(config::parse_text(shown, before))) out.push_back(before + each);
-  };
-  const auto declarations = plugin::declarations(catalogue.plugins());
-  const auto team = [&](std::size_t side) {
-    return config::show(*prepared.documents[side], declarations, config::Remarks::without);
-  };
-  const auto profile = [](const config::Map& map) { return config::show(map, {}, {}, config::Remarks::without); };
-  add("", team(0));
-  add("rules.", profile(config::declare(prepared.setup.rules)));
-  add("robot.", profile(config::declare(prepared.setup.robots[0])));
-  add("disturbance.", profile(config::declare(prepared.setup.disturbances[0])));
-  add("opponent_disturbance.", profile(config::declare(prepared.setup.disturbances[1])));
-  add("opponent.", team(1));
-  return out;
 }
 
 match::Setup without_opening(match::Setup setup) {

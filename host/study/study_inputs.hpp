@@ -8,8 +8,8 @@
 
 #include "campaign/job.hpp"
 #include "config/bad_input.hpp"
+#include "config/declaration.hpp"
 #include "config/opening.hpp"
-#include "config/path_list.hpp"
 #include "match/match.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/catalogue.hpp"
@@ -33,9 +33,6 @@ DocumentScenes document_scenes(const std::vector<config::NamedPath>& paths, std:
 
 // A file as it is seen from the folder the study is begun in, where it is inside.
 std::string from_here(const std::string& absolute);
-
-// Every path that a study can set: of the resolved documents of a match whose first team is the study's own.
-std::vector<std::string> settable_paths(const campaign::Job& bare, const plugin::Catalogue& catalogue);
 
 // What both teams share whatever the scene is.
 match::Setup without_opening(match::Setup setup);

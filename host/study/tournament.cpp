@@ -68,14 +68,16 @@ Verdict verdict_of(Found found) {
 Meeting::Meeting(const TournamentPlan& plan, const Pairing& who)
     : pairing(who),
       goals_sequence({-static_cast<double>(plan.most_goals), static_cast<double>(plan.most_goals),
-                      alpha_of(plan.objective), usual_goals},
+                      alpha_of(plan.objective()), usual_goals},
                      goal_steps) {
-  if (const auto* const score = std::get_if<ScoreTest>(&plan.objective)) score_test.emplace(score->design);
-  if (tested_metric(plan.objective) != nullptr) metric.emplace(alpha_of(plan.objective));
+  const Objective objective = plan.objective();
+  if (const auto* const score = std::get_if<ScoreTest>(&objective)) score_test.emplace(score->design);
+  if (tested_metric(objective) != nullptr) metric.emplace(alpha_of(objective));
 }
 
 Tournament::Tournament(const TournamentPlan& plan)
     : plan_(plan),
+      objective_(plan.objective()),
       calendar_(plan),
       forfeits_(plan.teams.size()),
       packets_(plan.teams.size()),
@@ -84,7 +86,7 @@ Tournament::Tournament(const TournamentPlan& plan)
 }
 
 campaign::Metrics Tournament::metrics() const {
-  if (tested_metric(plan_.objective) != nullptr) return campaign::Metrics::wanted;
+  if (tested_metric(objective_) != nullptr) return campaign::Metrics::wanted;
   return plan_.short_games() ? campaign::Metrics::packets : campaign::Metrics::left_out;
 }
 
@@ -99,7 +101,7 @@ void Tournament::run(const PlayRound& play) {
   };
   round.job = [this](std::uint64_t index) { return job(plan_, calendar_.at(index)); };
   round.take = [this](std::uint64_t, const campaign::Decided* decided) { return take(decided); };
-  round.may_end_early = !std::holds_alternative<FixedNumber>(plan_.objective);
+  round.may_end_early = !std::holds_alternative<FixedNumber>(objective_);
   round.first_of_pairing = [this](std::uint64_t index) {
     const Fixture fixture = calendar_.at(index);
     return fixture.pair == 0 && !fixture.swapped;
@@ -167,7 +169,8 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::D
   // At the end of pairs only, so that none is left half played.
   for (const std::size_t team : {fixture.home, fixture.away}) {
     const Row& row = rows_[team];
-    if (plan_.failures_in_a_row == 0 || row.failures < static_cast<std::uint64_t>(plan_.failures_in_a_row)) continue;
+    const int most = plan_.asked.failures_in_a_row;
+    if (most == 0 || row.failures < static_cast<std::uint64_t>(most)) continue;
     if (!is_set_aside(team)) set_aside_.push_back({team, row.plugin, row.failures, fixture.pair});
   }
 }
@@ -204,7 +207,7 @@ void Tournament::finish_pair(Meeting& meeting, const campaign::Decided& second) 
   meeting.goals_of_pairs.add(pair.goals);
   meeting.goals_sequence.add(pair.goals);
   if (meeting.metric) {
-    const std::string& path = *tested_metric(plan_.objective);
+    const std::string& path = *tested_metric(objective_);
     const bool forfeited = first.failure || second.failure;
     const auto value = [&](const campaign::Decided& decided, match::Side side) {
       return forfeited ? std::nullopt : decided.metrics.of_side(side, path);
@@ -236,7 +239,7 @@ void Tournament::leave_out_pair(Meeting& meeting, const Fixture& fixture) {
     forfeits_.take_back(first_of_pair_->failure->side == 0 ? fixture.away : fixture.home, *first_of_pair_->failure);
   }
   ++meeting.unplayed_pairs;
-  if (std::holds_alternative<FixedNumber>(plan_.objective)) return;
+  if (std::holds_alternative<FixedNumber>(objective_)) return;
   if (!meeting.either_way) meeting.either_way = {test_of(meeting), test_of(meeting)};
   study::add((*meeting.either_way)[0], all_for_second(plan_.most_goals));
   study::add((*meeting.either_way)[1], all_for_first(plan_.most_goals));
@@ -272,7 +275,7 @@ bool Tournament::over() const {
 }
 
 Verdict Tournament::verdict() const {
-  if (std::holds_alternative<FixedNumber>(plan_.objective)) return Verdict::none;
+  if (std::holds_alternative<FixedNumber>(objective_)) return Verdict::none;
   const Meeting& meeting = meetings_.front();
   const Found found = found_without(meeting);
   if (!meeting.either_way) return verdict_of(found);

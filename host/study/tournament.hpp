@@ -72,7 +72,7 @@ class Tournament final : public Study {
   std::uint64_t most_matches() const override { return calendar_.matches(); }
   std::uint64_t counted() const override { return matches(); }
   campaign::Metrics metrics() const override;
-  const campaign::Limits& limits() const override { return plan_.limits; }
+  campaign::Limits limits() const override { return plan_.limits(); }
   const std::string& folder() const override { return plan_.folder; }
   std::string plan() const override { return to_json(plan_); }
   std::vector<std::string> differences(const std::string& before) const override {
@@ -129,6 +129,7 @@ class Tournament final : public Study {
   bool over() const;
 
   const TournamentPlan& plan_;
+  const Objective objective_;
   Calendar calendar_;
   std::vector<Meeting> meetings_;
   std::optional<campaign::Decided> first_of_pair_;

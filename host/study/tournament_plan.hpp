@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -17,17 +18,14 @@
 
 #include "campaign/input.hpp"
 #include "campaign/job.hpp"
+#include "campaign/options.hpp"
 #include "campaign/store.hpp"
-#include "campaign/worker.hpp"
+#include "config/tournament.hpp"
 #include "statistics/sequential_test.hpp"
 #include "study/opening.hpp"
+#include "study/settings.hpp"
 
 namespace regista::study {
-
-enum class Format {
-  round_robin,  // everybody against everybody
-  gauntlet,     // the first team against each of the others
-};
 
 // No test: what is said holds for a number of pairs that was fixed beforehand.
 struct FixedNumber {};
@@ -44,16 +42,16 @@ struct ValueTest {
 };
 
 using Objective = std::variant<FixedNumber, ScoreTest, ValueTest>;
+Objective objective_of(const config::Tournament& asked);
 
 inline constexpr const char* goals_value = "goals";
 
+// What was found of a team.
 struct Entrant {
-  std::string label, file;
+  std::string label;
   std::vector<campaign::Input> inputs;  // campaign::team_inputs
-  std::string disturbance{};            // file, of this team alone; empty: that of all
-  std::vector<campaign::Input>
-      disturbances{};  // what that adds to inputs at home and away; none where it is that of all
-  bool disturbed() const { return !disturbance.empty(); }
+  // What a disturbance of its own adds to inputs at home and away; none where it has that of all.
+  std::vector<campaign::Input> disturbances{};
 };
 
 // Whether an input of a match is what disturbs this side: 0 home, 1 away.
@@ -64,25 +62,25 @@ struct Pairing {
 };
 
 struct TournamentPlan {
-  std::string name, question;  // of its document; empty without one
-  std::vector<Entrant> teams;  // two or more
-  Format format = Format::round_robin;
-  std::vector<Opening> openings;  // none: from kick-off
-  std::uint64_t pairs = 0;        // of each pairing, at most
-  std::string pairs_before;       // numbers that it had before more were asked for: "100, 150"; empty: none
-  std::uint64_t first_seed = 1;   // of the first pair; the next one has the next
-  Objective objective;
-  int most_goals = 0;          // largest goal difference that a match can end with; a forfeit counts as that much
-  int failures_in_a_row = 10;  // after so many forfeits by the same plugin a team is set aside; 0: never
-  campaign::Limits limits;     // of each match: they decide who forfeits
-  std::string folder;          // in which it was begun, absolute: paths are relative to it
-  campaign::Job common;        // what every match has: profiles, limit, folders of plugins, paths of --set as typed
+  config::Tournament asked;  // files as they are seen from `folder`
+
+  std::vector<Entrant> teams;        // as asked.teams
+  std::vector<Opening> openings;     // all scenes that are asked for; none: from kick-off
+  int most_goals = 0;                // largest goal difference that a match can end with; a forfeit counts as that much
+  std::string pairs_before;          // numbers that it had before more were asked for: "100, 150"; empty: none
+  std::string folder;                // in which it was begun, absolute
+  std::vector<std::string> plugins;  // folders of --plugins
+  std::string program;               // version that began it; empty: not known
   std::vector<campaign::Input> common_inputs;
 
   std::vector<Pairing> pairings() const;
-  std::uint64_t matches() const { return 2 * pairs * pairings().size(); }
+  std::uint64_t pairs() const;  // of each pairing, at most
+  std::uint64_t first_seed() const { return static_cast<std::uint64_t>(asked.seed); }
+  std::uint64_t matches() const { return 2 * pairs() * pairings().size(); }
+  Objective objective() const { return objective_of(asked); }
+  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
   // Whether its matches may end before whole ones would.
-  bool short_games() const { return !openings.empty() || !common.limit.empty(); }
+  bool short_games() const { return !openings.empty() || asked.settings.limit; }
 };
 
 // A match of the schedule.
@@ -113,6 +111,12 @@ class Calendar {
   std::uint64_t pairs_, first_seed_;
 };
 
+// The team that a path of the study's `set` is for alone, by the letter that it begins with; nothing: it is for all.
+std::optional<std::size_t> team_meant(const TournamentPlan& plan, const std::string& path);
+
+// The values that are laid over the documents of a fixture's match.
+config::Overrides settings_of(const TournamentPlan& plan, const Fixture& fixture);
+
 // The match that a fixture means, as `regista match` plays it.
 campaign::Job job(const TournamentPlan& plan, const Fixture& fixture);
 
@@ -124,6 +128,8 @@ std::string letter(std::size_t team);
 
 // Both teams are the same to the last byte, so every pair is a draw by construction.
 bool equal_teams(const TournamentPlan& plan, const Pairing& pairing);
+
+inline constexpr std::uint64_t most_pairs = 10'000'000;
 
 // The same with more pairs of matches, which come after those there were. Throws std::invalid_argument, one line, where
 // that may not be: fewer than before, or under a sequential test, whose error rates hold for the number that was fixed.

@@ -12,7 +12,7 @@ namespace regista::study {
 
 std::uint64_t drawn_seed(const TuningPlan& plan, const TunedDocument& document,
                          const std::vector<ParameterValues>& chosen) {
-  std::string all = fmt::format("{}\n{}\n{}\n", plan.seed, in_words(plan.objective), plan.objective.minimise);
+  std::string all = fmt::format("{}\n{}\n{}\n", plan.seed(), in_words(plan.objective), plan.objective.minimise);
   for (const TuningOpponent& each : plan.opponents) {
     all += fmt::format("{} {}\n", each.weight,
                        campaign::fixture_key({}, each.jobs[0].away_inputs, each.jobs[0].common_inputs));

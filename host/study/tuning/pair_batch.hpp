@@ -23,12 +23,11 @@ namespace regista::study {
 // Which pairs a batch plays: `first` and those after it.
 struct PairRange {
   TuningStage stage = TuningStage::search;
-  std::uint64_t repeat = 0;      // of the search
   std::uint64_t first_seed = 0;  // below 2^32
   std::uint64_t first = 0, count = 1;
 
   std::uint64_t seed(std::uint64_t pair) const {
-    return static_cast<std::uint64_t>(stage) << 50 | repeat << 40 | (first_seed + first + pair);
+    return static_cast<std::uint64_t>(stage) << 50 | (first_seed + first + pair);
   }
 };
 

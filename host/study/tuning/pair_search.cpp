@@ -12,8 +12,8 @@ namespace {
 // The value of points for one search: what was played, and what is played for the next question.
 class PairEvaluation {
  public:
-  PairEvaluation(const MatchSource& source, std::uint64_t pairs, std::uint64_t repeat, std::vector<SearchStep>& steps)
-      : source_(source), pairs_(pairs), repeat_(repeat), steps_(steps) {}
+  PairEvaluation(const MatchSource& source, std::uint64_t pairs, std::vector<SearchStep>& steps)
+      : source_(source), pairs_(pairs), steps_(steps) {}
 
   // What the search is told about points that play a set of pairs together.
   std::vector<double> of(const std::vector<ParameterValues>& points, std::uint64_t set) {
@@ -39,7 +39,7 @@ class PairEvaluation {
  private:
   void play(const std::vector<ParameterValues>& fresh, std::uint64_t set) {
     const TuningPlan& plan = source_.plan;
-    PairBatch batch(plan, source_.document, fresh, {TuningStage::search, repeat_, plan.seed, set * pairs_, pairs_});
+    PairBatch batch(plan, source_.document, fresh, {TuningStage::search, plan.seed(), set * pairs_, pairs_});
     play_batch(source_, batch);
     worst = worst_of(batch, fresh.size(), worst);
     for (std::size_t i = 0; i < fresh.size(); ++i) {
@@ -63,21 +63,21 @@ class PairEvaluation {
   }
 
   const MatchSource& source_;
-  std::uint64_t pairs_, repeat_;
+  std::uint64_t pairs_;
   std::vector<SearchStep>& steps_;
 };
 
-SearchSettings settings_of(const TuningPlan& plan, Algorithm algorithm, std::uint64_t repeat) {
+SearchSettings settings_of(const TuningPlan& plan) {
   SearchSettings out;
   out.start = point_of(plan, start_values(plan));
-  out.evaluations = plan.evaluations(algorithm) - 1;  // the base team is looked at first
+  out.evaluations = plan.evaluations() - 1;  // the base team is looked at first
   // Points that whole numbers make equal cost no matches; who does not plan by its budget may ask for others instead.
   constexpr std::uint64_t most_repeats = 4;
-  const bool plans =
-      algorithm == Algorithm::spsa || algorithm == Algorithm::sep_cma_es || algorithm == Algorithm::random_search;
+  const bool plans = plan.algorithm() == Algorithm::spsa || plan.algorithm() == Algorithm::sep_cma_es ||
+                     plan.algorithm() == Algorithm::random_search;
   if (!plans) out.evaluations *= most_repeats;
-  out.seed = plan.seed + repeat;
-  out.population = static_cast<std::size_t>(plan.population);
+  out.seed = plan.seed();
+  out.population = static_cast<std::size_t>(plan.population());
   return out;
 }
 
@@ -98,15 +98,15 @@ std::optional<PlayedScore> seen_in_search(const SearchScores& scores, const Para
   return out;
 }
 
-SearchFindings search_over_pairs(const MatchSource& source, Algorithm algorithm, std::uint64_t repeat,
-                                 const OutOfTime& out_of_time, std::vector<SearchStep>& steps) {
+SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out_of_time,
+                                 std::vector<SearchStep>& steps) {
   const TuningPlan& plan = source.plan;
-  const std::uint64_t pairs = plan.pairs_of(algorithm), matches = pairs * plan.matches_of_pair();
-  PairEvaluation evaluation(source, pairs, repeat, steps);
+  const std::uint64_t pairs = plan.pairs_of_evaluation(), matches = pairs * plan.matches_of_pair();
+  PairEvaluation evaluation(source, pairs, steps);
   evaluation.of({start_values(plan)}, 0);
   std::string stopped;
-  SearchResult found = search(algorithm, settings_of(plan, algorithm, repeat), [&](const Question& question) {
-    if (steps.back().matches + matches > plan.evaluations(algorithm) * matches) {
+  SearchResult found = search(plan.algorithm(), settings_of(plan), [&](const Question& question) {
+    if (steps.back().matches + matches > plan.evaluations() * matches) {
       stopped = "budget used up";
       return std::vector<double>();
     }

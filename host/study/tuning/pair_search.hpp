@@ -53,9 +53,9 @@ struct SearchFindings {
 // of time. Empty: never.
 using OutOfTime = std::function<bool(std::uint64_t evaluations)>;
 
-// repeat: seeds of its own for the algorithm and for the matches. steps: empty; each point is added to it once it has
-// been played. Throws TuningError (base_team_check.hpp), and what the source's `play` throws.
-SearchFindings search_over_pairs(const MatchSource& source, Algorithm algorithm, std::uint64_t repeat,
-                                 const OutOfTime& out_of_time, std::vector<SearchStep>& steps);
+// steps: empty; each point is added to it once it has been played. Throws TuningError (base_team_check.hpp), and what
+// the source's `play` throws.
+SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out_of_time,
+                                 std::vector<SearchStep>& steps);
 
 }  // namespace regista::study

@@ -8,7 +8,7 @@
 namespace regista::study {
 
 PlayedScore played_score(const TuningPlan& plan, const PairBatch& batch, std::size_t candidate, double worst) {
-  PlayedScore out{mean_of(batch.scores(candidate), plan.confidence), batch.failed(candidate), 0.0};
+  PlayedScore out{mean_of(batch.scores(candidate), plan.confidence()), batch.failed(candidate), 0.0};
   if (out.failed) {
     const std::optional<ScoreBounds> bounds = score_bounds(plan);
     out.counted = bounds ? bounds->low : worst;

@@ -48,8 +48,8 @@ SearchTime stored_time(const campaign::Store& store) {
 
 OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan) {
   if (stored_end(store)) return stored_end_of_search(store);
-  if (!plan.minutes) return {};
-  return [&store, most = 60.0 * *plan.minutes, before = stored_time(store),
+  if (!plan.asked.search.minutes) return {};
+  return [&store, most = 60.0 * *plan.asked.search.minutes, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
     // What an earlier run has come to is read, not played: it was in time, and takes none.
     if (evaluations < before.evaluations) return false;

@@ -13,15 +13,15 @@ std::vector<Finalist> select_finalists(const MatchSource& source, const SearchFi
   const TuningPlan& plan = source.plan;
   std::vector<ParameterValues> chosen;
   for (const ParameterValues& each : found.recommended) {
-    if (chosen.size() < plan.finalists && std::ranges::find(chosen, each) == chosen.end()) chosen.push_back(each);
+    if (chosen.size() < plan.finalists() && std::ranges::find(chosen, each) == chosen.end()) chosen.push_back(each);
   }
-  PairBatch batch(plan, source.document, chosen, {TuningStage::selection, 0, plan.seed, 0, plan.selection_pairs});
+  PairBatch batch(plan, source.document, chosen, {TuningStage::selection, plan.seed(), 0, plan.selection_pairs});
   play_batch(source, batch);
   const double worst = worst_of(batch, chosen.size(), found.worst);
   std::vector<Finalist> out;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     out.push_back(
-        {chosen[i], seen_in_search(found.scores, chosen[i], plan.confidence), played_score(plan, batch, i, worst)});
+        {chosen[i], seen_in_search(found.scores, chosen[i], plan.confidence()), played_score(plan, batch, i, worst)});
   }
   std::ranges::stable_sort(out, std::greater(), [](const Finalist& each) { return each.selected.counted; });
   return out;
@@ -30,7 +30,7 @@ std::vector<Finalist> select_finalists(const MatchSource& source, const SearchFi
 std::vector<std::size_t> candidates_among(const TuningPlan& plan, const std::vector<Finalist>& finalists) {
   const ParameterValues base = start_values(plan);
   std::vector<std::size_t> out;
-  for (std::size_t i = 0; i < finalists.size() && i < plan.candidates; ++i) {
+  for (std::size_t i = 0; i < finalists.size() && i < plan.candidates(); ++i) {
     if (finalists[i].values == base) break;  // those behind it are thought worse than it
     out.push_back(i);
   }

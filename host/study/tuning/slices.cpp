@@ -11,9 +11,9 @@ namespace regista::study {
 std::vector<double> slice_values(const TuningPlan& plan, const ParameterValues& tuned, std::size_t parameter) {
   const Parameter& of = plan.parameters[parameter];
   std::vector<double> out;
-  for (std::uint64_t i = 0; i < plan.slice_points; ++i) {
+  for (std::uint64_t i = 0; i < plan.slice_points(); ++i) {
     const double share =
-        plan.slice_points == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(plan.slice_points - 1);
+        plan.slice_points() == 1 ? 0.5 : static_cast<double>(i) / static_cast<double>(plan.slice_points() - 1);
     const double value = value_at_share(of, share);
     if (value != tuned[parameter] && std::ranges::find(out, value) == out.end()) out.push_back(value);
   }

@@ -75,7 +75,7 @@ class Overlay {
 
 std::string tuned_team(const TuningPlan& plan, const ParameterValues& values, const std::string& name,
                        const std::string& base) {
-  Overlay overlay(config::parse_text(TunedDocument(plan).with(values), plan.team));
+  Overlay overlay(config::parse_text(TunedDocument(plan).with(values), plan.asked.team));
   for (const std::string& each : plan.settings) {
     if (!each.starts_with("team=")) overlay.add(each);  // it has a name of its own
   }

@@ -12,7 +12,7 @@ void tune(const TuningPlan& plan, const TuningHooks& hooks, TuningRecord& record
   const TunedDocument document(plan);
   const MatchSource source{plan, document, hooks.play, record.tally};
 
-  const SearchFindings found = search_over_pairs(source, plan.algorithm, 0, hooks.out_of_time, record.trace);
+  const SearchFindings found = search_over_pairs(source, hooks.out_of_time, record.trace);
   record.ended = found.ended;
 
   record.stage = TuningStage::selection;

@@ -57,7 +57,7 @@ ParameterValues values_of(const TuningPlan& plan, const Eigen::VectorXd& point) 
 
 static config::Node document_of(const TuningPlan& plan) {
   try {
-    return config::parse_text(plan.document, plan.team);
+    return config::parse_text(plan.document, plan.asked.team);
   } catch (const config::Error& error) {
     throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
   }
@@ -133,17 +133,17 @@ std::optional<ScoreBounds> score_bounds(const TuningPlan& plan) {
 }
 
 std::optional<double> widest_difference(const TuningPlan& plan) {
-  return plan.symmetric ? std::nullopt : difference_bound(plan);
+  return plan.symmetric() ? std::nullopt : difference_bound(plan);
 }
 
 std::optional<double> difference_bound(const TuningPlan& plan) {
   const std::optional<ScoreBounds> bounds = score_bounds(plan);
   if (!bounds) return std::nullopt;
-  return (bounds->high - bounds->low) * (plan.head_to_head ? 0.5 : 1.0);
+  return (bounds->high - bounds->low) * (plan.head_to_head() ? 0.5 : 1.0);
 }
 
 std::uint64_t least_verification_pairs(const TuningPlan& plan) {
-  const double needed = -std::log1p(-plan.confidence);
+  const double needed = -std::log1p(-plan.confidence());
   // All differences equal, and as large as can be. A bet wins three quarters of a capital at most, and half is staked
   // on either side; without bounds the differences are their own spread.
   if (widest_difference(plan)) return static_cast<std::uint64_t>(std::ceil((needed + std::log(2.0)) / std::log(1.75)));
@@ -153,12 +153,12 @@ std::uint64_t least_verification_pairs(const TuningPlan& plan) {
 }
 
 static std::uint64_t matches_of_verified_pair(const TuningPlan& plan, std::uint64_t candidates) {
-  return plan.head_to_head ? 2 * candidates : (candidates + 1) * plan.matches_of_pair();
+  return plan.head_to_head() ? 2 * candidates : (candidates + 1) * plan.matches_of_pair();
 }
 
 std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates) {
   if (candidates == 0) return 0;
-  return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates) /
+  return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates()) /
          matches_of_verified_pair(plan, candidates);
 }
 
@@ -174,13 +174,14 @@ std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
   const std::uint64_t pair = plan.matches_of_pair();
   switch (stage) {
     case TuningStage::search:
-      return plan.evaluations(plan.algorithm) * plan.pairs_of(plan.algorithm) * pair;
+      return plan.evaluations() * plan.pairs_of_evaluation() * pair;
     case TuningStage::selection:
-      return plan.finalists * plan.selection_pairs * pair;
+      return plan.finalists() * plan.selection_pairs * pair;
     case TuningStage::verification:
-      return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates);
+      return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates());
     case TuningStage::slices:
-      return plan.slice_points == 0 ? 0 : (plan.slice_points * plan.free_parameters() + 1) * plan.slice_pairs * pair;
+      return plan.slice_points() == 0 ? 0
+                                      : (plan.slice_points() * plan.free_parameters() + 1) * plan.slice_pairs() * pair;
   }
   return 0;
 }

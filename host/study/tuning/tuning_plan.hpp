@@ -5,8 +5,7 @@
 //
 // Unit of everything is the pair: a match with the tuned team at home, then the same with the sides swapped, against
 // every opponent. Pairs are numbered from 0 in each of four stages, whose seeds are disjoint:
-//   seed = stage * 2^50 + repeat * 2^40 + first seed + number of the pair.
-// The repeat is 0, but for searches of a comparison (search_comparison_plan.hpp).
+//   seed = stage * 2^50 + first seed + number of the pair.
 // Those of the verification begin at a number drawn from all that was chosen before, so that another choice is never
 // verified on seeds that an earlier one was seen to do well on.
 #pragma once
@@ -20,8 +19,10 @@
 
 #include "campaign/input.hpp"
 #include "campaign/job.hpp"
+#include "campaign/options.hpp"
 #include "campaign/store.hpp"
-#include "campaign/worker.hpp"
+#include "config/load.hpp"
+#include "config/tuning.hpp"
 #include "study/opening.hpp"
 #include "study/tuning/algorithm.hpp"
 #include "study/tuning/parameter.hpp"
@@ -52,47 +53,62 @@ struct TuningOpponent {
 };
 
 struct TuningPlan {
-  std::string name, question;
-  std::string team;                   // file
-  std::string document;               // the team's, resolved, with every parameter in it, at its start
-  std::vector<std::string> settings;  // "path=value" of the team, laid over its file
+  config::Tuning asked;  // files as they are seen from `folder`
+
+  std::string document;  // the team's, resolved, with every parameter in it, at its start
   std::vector<Parameter> parameters;
+  // Of their jobs, and the base team's, the inputs were found, and their labels; all else is asked for: see complete().
   std::vector<TuningOpponent> opponents;
-  TuningOpponent base;  // the base team as it is, as an opponent
-  TuningObjective objective;
-  std::vector<Opening> openings;  // none: from kick-off
-  int most_goals = 0;             // largest goal difference that a match can end with; a forfeit counts as that much
-  std::uint64_t seed = 1;
-
-  Algorithm algorithm = Algorithm::sbplx;
-  std::uint64_t search_pairs = 0;     // against each opponent, of the whole search, at most
-  std::uint64_t pairs = 1;            // of them for each point, with an algorithm that wants replication
-  bool pairs_for_all = false;         // with every algorithm
-  std::optional<double> minutes;      // of wall time for the search
-  std::uint64_t population = 0;       // 0: the algorithm's own
-  std::uint64_t finalists = 4;        // at most
-  std::uint64_t selection_pairs = 0;  // of each finalist against each opponent
-  std::uint64_t candidates = 1;
-  bool head_to_head = false;             // candidates and base team are compared playing each other
+  TuningOpponent base;             // the base team as it is, as an opponent
+  std::vector<Opening> openings;   // all scenes that are asked for; none: from kick-off
+  int most_goals = 0;              // largest goal difference that a match can end with; a forfeit counts as that much
+  std::uint64_t search_pairs = 0;  // against each opponent, of the whole search, at most
+  std::uint64_t pairs = 1;         // of them for each point, with an algorithm that wants replication
+  std::uint64_t selection_pairs = 0;     // of each finalist against each opponent
   std::uint64_t verification_pairs = 0;  // at most, of as many candidates as there may be
-  bool symmetric = false;                // differences are taken to be symmetric, though the objective has bounds
-  double confidence = 0.95;
-  std::uint64_t slice_points = 0, slice_pairs = 0;  // 0 points: none
+  std::string folder;                    // in which it was begun, absolute
+  std::vector<std::string> plugins;      // folders of --plugins
+  std::string program;                   // version that began it; empty: not known
 
-  campaign::Limits limits;             // of each match: they decide who forfeits
-  std::string folder;                  // in which it was begun, absolute: paths are relative to it
-  std::string file;                    // the tuning's document
-  std::vector<std::string> overrides;  // of that document, as typed
+  // What follows from what is asked: see complete().
+  std::vector<std::string> settings;  // "path=value" of the team, laid over its file
+  TuningObjective objective;
+
+  std::uint64_t seed() const { return static_cast<std::uint64_t>(asked.seed); }
+  Algorithm algorithm() const { return algorithm_named(asked.search.algorithm).value(); }
+  std::uint64_t population() const { return static_cast<std::uint64_t>(asked.search.population.value_or(0)); }
+  std::uint64_t finalists() const { return static_cast<std::uint64_t>(asked.selection.finalists); }  // at most
+  std::uint64_t candidates() const { return static_cast<std::uint64_t>(asked.verification.candidates); }
+  // Candidates and base team are compared playing each other.
+  bool head_to_head() const { return asked.verification.against == config::Tuning::Against::base; }
+  // Differences are taken to be symmetric, though the objective has bounds.
+  bool symmetric() const { return asked.verification.test == config::Tuning::Test::symmetric; }
+  double confidence() const { return asked.verification.confidence; }
+  std::uint64_t slice_points() const { return static_cast<std::uint64_t>(asked.slices.points); }  // 0: none
+  std::uint64_t slice_pairs() const {
+    return asked.slices.points == 0 ? 0 : static_cast<std::uint64_t>(asked.slices.pairs);
+  }
+  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 
   // All of them end before a match would.
-  bool short_games() const { return !openings.empty() || !base.jobs[0].limit.empty(); }
+  bool short_games() const { return !openings.empty() || asked.settings.limit; }
   std::size_t free_parameters() const;
-  std::uint64_t pairs_of(Algorithm each) const { return pairs_for_all || wants_replication(each) ? pairs : 1; }
+  std::uint64_t pairs_of_evaluation() const { return asked.search.pairs || wants_replication(algorithm()) ? pairs : 1; }
   // Points that it can try, with the base team's.
-  std::uint64_t evaluations(Algorithm each) const { return search_pairs / pairs_of(each); }
+  std::uint64_t evaluations() const { return search_pairs / pairs_of_evaluation(); }
   // Matches of one pair against all opponents.
   std::uint64_t matches_of_pair() const { return 2 * opponents.size(); }
 };
+
+// Settings and objective, and opponents with their jobs, as they are asked for; what was found of them stays. Throws
+// config::Error for settings that cannot be.
+void complete(TuningPlan& plan);
+
+// Of matches against the opponents, or against the base team, in which it has all that is set for the tuned team.
+config::Overrides settings_of(const TuningPlan& plan, bool against_base);
+
+// What every search of its points relies on.
+bool sound(const TuningPlan& plan);
 
 // Values of all parameters, in the plan's order.
 using ParameterValues = std::vector<double>;

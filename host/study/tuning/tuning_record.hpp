@@ -19,7 +19,7 @@
 namespace regista::study {
 
 struct TuningRecord {
-  explicit TuningRecord(const TuningPlan& plan) : verification(0, plan.confidence, 1.0), tally(plan) {}
+  explicit TuningRecord(const TuningPlan& plan) : verification(0, plan.confidence(), 1.0), tally(plan) {}
 
   std::optional<TuningStage> stage = TuningStage::search;  // under way; nothing: all is done
   std::vector<SearchStep> trace;

@@ -3,68 +3,234 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
 #include <utility>
 
+#include "campaign/inputs.hpp"
+#include "campaign/mathematics.hpp"
+#include "config/documents.hpp"
+#include "config/overlay.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "study/tuning/tuning_planner.hpp"
+#include "config/text.hpp"
+#include "config/values.hpp"
+#include "match/match.hpp"
+#include "plugin/declarations.hpp"
+#include "study/measure.hpp"
+#include "study/settings.hpp"
+#include "study/study_inputs.hpp"
 
 namespace regista::study {
 namespace {
 
-// Selection, verification and slices.
-void count_stages(TuningPlanner& planner) {
-  TuningPlan& plan = planner.plan();
-  const config::Tuning& asked = planner.asked();
-  const std::uint64_t pair = plan.matches_of_pair();
-  plan.selection_pairs = pairs_in(asked.selection.matches, pair * plan.finalists);
-  if (plan.selection_pairs < 1) {
-    planner.require_matches("selection.matches", pair * plan.finalists,
-                            fmt::format("too few for {} finalists", plan.finalists));
-  }
-  const std::uint64_t together = plan.head_to_head ? 2 * plan.candidates : pair * (plan.candidates + 1);
-  plan.verification_pairs = pairs_in(asked.verification.matches, together);
-  const std::uint64_t least = least_verification_pairs(plan);
-  if (plan.verification_pairs < least) {
-    planner.require_matches(
-        "verification.matches", least * together,
-        fmt::format("{} pairs cannot show any difference with a confidence of {}, whatever they are",
-                    plan.verification_pairs, config::real_text(plan.confidence)));
-  }
-  plan.slice_points = static_cast<std::uint64_t>(asked.slices.points);
-  plan.slice_pairs = plan.slice_points == 0 ? 0 : static_cast<std::uint64_t>(asked.slices.pairs);
+// Of a search whose algorithm takes values for exact; see benchmarks/README.md. A small budget is better spent on fewer
+// points that are known better.
+constexpr std::uint64_t points_of_a_replicated_search = 200, fewest_replicates = 5;
+
+std::uint64_t replicates(std::uint64_t search_pairs, std::size_t parameters) {
+  const std::uint64_t usual = (search_pairs + points_of_a_replicated_search / 2) / points_of_a_replicated_search;
+  const std::uint64_t affordable = search_pairs / (4 * (parameters + 1));  // four rounds of a simplex
+  return std::max({usual, std::min(fewest_replicates, affordable), std::uint64_t{1}});
 }
 
-// Where there are mistakes, not all of it.
-TuningPlan planned(const TuningRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
-  TuningPlanner planner(options, catalogue, mistakes);
-  mistakes.attempt("search", [&] {
-    planner.choose_algorithm();
-    const Algorithm algorithm = planner.plan().algorithm;
-    if (planner.asked().search.population && !has_population(algorithm)) {
-      config::refuse(planner.document(), {"search.population"},
-                     fmt::format("search.population: {} has none", name(algorithm)));
-    }
-  });
-  if (planner.prepare()) {
-    mistakes.attempt("", [&] {
-      planner.count_search(std::array{planner.plan().algorithm});
-      count_stages(planner);
-    });
-  }
-  return std::move(planner.plan());
+// Pairs that so many matches make, where each pair takes `each` of them.
+std::uint64_t pairs_in(int matches, std::uint64_t each) { return static_cast<std::uint64_t>(matches) / each; }
+
+std::string label_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
+
+// What is said of a name that no algorithm has: why it is not offered, or the nearest, and all that are.
+std::string unknown_algorithm(const std::string& name) {
+  const auto why = why_unsuitable(name);
+  const std::vector<std::string> known = algorithm_names();
+  return why ? fmt::format("{}: {}; offered: {}", name, *why, config::join(known))
+             : config::unknown("algorithm", name, "", known);
 }
+
+class Planner {
+ public:
+  Planner(const config::Node& document, const std::vector<std::string>& plugins, const plugin::Catalogue& catalogue,
+          config::Mistakes& mistakes)
+      : document_(document),
+        catalogue_(catalogue),
+        mistakes_(mistakes),
+        program_(campaign::program_hash()),
+        mathematics_(campaign::mathematics_fingerprint()) {
+    plan_.asked = config::read_tuning(document);
+    config::rename_files(declare(plan_.asked), from_here);
+    plan_.folder = std::filesystem::current_path().string();
+    plan_.plugins = plugins;
+    complete(plan_);
+  }
+
+  // Where there are mistakes, not all of it.
+  TuningPlan planned() {
+    mistakes_.attempt("search", [&] { require_algorithm(); });
+    meet_opponents();
+    if (mistakes_.doubtful("opponents")) return std::move(plan_);  // what comes next needs them all
+    mistakes_.attempt("parameters", [&] { choose_parameters(); });
+    mistakes_.attempt("openings", [&] {
+      DocumentScenes scenes = document_scenes(plan_.asked.settings.openings, setups_);
+      plan_.openings = std::move(scenes.openings);
+      count_goals(scenes.read);
+    });
+    require_objective();
+    if (!mistakes_.none()) return std::move(plan_);
+    mistakes_.attempt("", [&] {
+      count_search();
+      count_stages();
+    });
+    return std::move(plan_);
+  }
+
+ private:
+  void require_algorithm() const {
+    const config::Tuning::Search& search = plan_.asked.search;
+    const auto algorithm = algorithm_named(search.algorithm);
+    if (!algorithm) {
+      throw config::Error(config::at(document_, "search.algorithm").where(),
+                          "search.algorithm: " + unknown_algorithm(search.algorithm));
+    }
+    if (search.population && !has_population(*algorithm)) {
+      config::refuse(document_, {"search.population"}, fmt::format("search.population: {} has none", name(*algorithm)));
+    }
+  }
+
+  // The files of its matches, set up once on each side.
+  void look_at(TuningOpponent& opponent, bool is_base) {
+    const config::Overrides settings = settings_of(plan_, is_base);
+    for (const std::size_t side : {0u, 1u}) {
+      campaign::Job& job = opponent.jobs[side];
+      campaign::MatchSetup prepared = match_of(job, on_side(settings, side), catalogue_);
+      job.home_inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue_);
+      job.away_inputs = campaign::team_inputs(*prepared.plans[1], *prepared.documents[1], catalogue_);
+      job.common_inputs = campaign::common_inputs(prepared.setup, program_, mathematics_);
+      if (side == 1) continue;
+      if (!team_) team_ = *prepared.documents[0];
+      metrics_ = metric_paths_of(*prepared.plans[0]);
+      setups_.push_back(std::move(prepared.setup));
+    }
+  }
+
+  void meet_opponents() {
+    for (std::size_t i = 0; i < plan_.opponents.size(); ++i) {
+      TuningOpponent& opponent = plan_.opponents[i];
+      mistakes_.attempt("opponents", [&] {
+        look_at(opponent, false);
+        opponent.label = label_of(opponent.file);
+        for (std::size_t other = 0; other < i; ++other) {
+          if (plan_.opponents[other].file == opponent.file) {
+            throw config::Error(
+                plan_.asked.opponents[i].where,
+                fmt::format("opponents: {} is given twice; `weight` says how much it counts", opponent.file));
+          }
+          if (plan_.opponents[other].label == opponent.label) opponent.label = opponent.file;
+        }
+      });
+    }
+    if (mistakes_.doubtful("opponents")) return;
+    look_at(plan_.base, true);
+    plan_.base.label = "the base team";
+  }
+
+  void choose_parameters() {
+    const auto declarations = plugin::declarations(catalogue_.plugins());
+    plan_.parameters = chosen_parameters(plan_.asked.parameters, tunables(*team_, declarations));
+    if (plan_.free_parameters() == 0) {
+      config::refuse(document_, {"parameters"}, "parameters: the range of each is one value: there is nothing to tune");
+    }
+    const config::Node document =
+        config::override_with(*team_, config::typed_overrides(settings_of(plan_, start_values(plan_))));
+    config::read_team(document);
+    plan_.document = config::show(document, declarations, config::Remarks::without);
+  }
+
+  void count_goals(const std::vector<config::Opening>& scenes) {
+    for (match::Setup setup : setups_) {
+      if (scenes.empty()) plan_.most_goals = std::max(plan_.most_goals, match::most_goal_difference(setup));
+      for (const config::Opening& scene : scenes) {
+        setup.opening = scene;
+        plan_.most_goals = std::max(plan_.most_goals, match::most_goal_difference(setup));
+      }
+    }
+  }
+
+  void require_objective() {
+    std::vector<std::string> known(measures_of_score.begin(), measures_of_score.end());
+    known.insert(known.end(), metrics_.begin(), metrics_.end());
+    const config::TuningObjective& objective = plan_.asked.objective;
+    for (const auto* const terms : {&objective.maximise, &objective.minimise}) {
+      for (const config::TuningObjective::Term& each : *terms) {
+        const std::string measure(match::without_roles(each.measure));
+        if (std::ranges::find(known, measure) != known.end()) continue;
+        mistakes_.add(config::Error(each.where, "objective: " + config::unknown("measure", measure, "", known)),
+                      "objective");
+      }
+    }
+  }
+
+  // Refuses the number of matches at `path`. Throws.
+  void require_matches(const char* path, std::uint64_t least, const std::string& why) const {
+    config::refuse(document_, {path}, fmt::format("{}: {}: expected {} or more matches", path, why, least));
+  }
+
+  // Refuses a budget that is too small for the first round of the algorithm.
+  void count_search() {
+    const std::uint64_t pair = plan_.matches_of_pair();
+    const config::Tuning::Search& search = plan_.asked.search;
+    plan_.search_pairs = pairs_in(search.matches, pair);
+    plan_.pairs = search.pairs ? static_cast<std::uint64_t>(*search.pairs)
+                               : replicates(plan_.search_pairs, plan_.free_parameters());
+    // One more: the base team itself.
+    const std::uint64_t least =
+        1 + least_evaluations(plan_.algorithm(), plan_.free_parameters(), static_cast<std::size_t>(plan_.population()));
+    if (plan_.evaluations() >= least) return;
+    const std::uint64_t each = plan_.pairs_of_evaluation() * pair;
+    require_matches("search.matches", least * each,
+                    fmt::format("{} are too few for the first round of {}, {} points with {} matches each",
+                                search.matches, name(plan_.algorithm()), least, each));
+  }
+
+  // Selection and verification.
+  void count_stages() {
+    const std::uint64_t pair = plan_.matches_of_pair();
+    plan_.selection_pairs = pairs_in(plan_.asked.selection.matches, pair * plan_.finalists());
+    if (plan_.selection_pairs < 1) {
+      require_matches("selection.matches", pair * plan_.finalists(),
+                      fmt::format("too few for {} finalists", plan_.finalists()));
+    }
+    const std::uint64_t together = plan_.head_to_head() ? 2 * plan_.candidates() : pair * (plan_.candidates() + 1);
+    plan_.verification_pairs = pairs_in(plan_.asked.verification.matches, together);
+    const std::uint64_t least = least_verification_pairs(plan_);
+    if (plan_.verification_pairs < least) {
+      require_matches("verification.matches", least * together,
+                      fmt::format("{} pairs cannot show any difference with a confidence of {}, whatever they are",
+                                  plan_.verification_pairs, config::real_text(plan_.confidence())));
+    }
+  }
+
+  const config::Node& document_;
+  const plugin::Catalogue& catalogue_;
+  config::Mistakes& mistakes_;
+  std::string program_, mathematics_;
+  TuningPlan plan_;
+  std::optional<config::Node> team_;  // its document
+  std::vector<std::string> metrics_;  // paths
+  std::vector<match::Setup> setups_;  // by opponent, then the base team
+};
 
 }  // namespace
 
-TuningPlan planned_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue) {
+TuningPlan planned_tuning(const config::Node& document, const std::vector<std::string>& plugins,
+                          const plugin::Catalogue& catalogue) {
   config::Mistakes first(config::Mistakes::After::stop);
-  return planned(options, catalogue, first);
+  return Planner(document, plugins, catalogue, first).planned();
 }
 
-void check_tuning(const TuningRequest& options, const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
-  planned(options, catalogue, mistakes);
+void check_tuning(const config::Node& document, const std::vector<std::string>& plugins,
+                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  Planner(document, plugins, catalogue, mistakes).planned();
 }
 
 std::vector<std::string> notes_on(const TuningPlan& plan) {

@@ -21,7 +21,7 @@ class TuningStudy final : public Study {
   std::uint64_t most_matches() const override { return study::most_matches(plan_); }
   std::uint64_t counted() const override { return counted_; }
   campaign::Metrics metrics() const override { return wanted_metrics(plan_); }
-  const campaign::Limits& limits() const override { return plan_.limits; }
+  campaign::Limits limits() const override { return plan_.limits(); }
   const std::string& folder() const override { return plan_.folder; }
   std::string plan() const override { return to_json(plan_); }
   std::vector<std::string> differences(const std::string& before) const override {

@@ -78,8 +78,10 @@ TEST_F(MetricRow, IsStored) {
 
 TEST_F(MetricRow, StandsOnThePageOfATournament) {
   study::TournamentPlan plan;
-  plan.teams = {{"a", "a.yaml", {{"team", "1"}}}, {"b", "b.yaml", {{"team", "2"}}}};
-  plan.pairs = 1;
+  plan.asked.name = "trial";
+  plan.asked.teams = {{"a.yaml", "", {}}, {"b.yaml", "", {}}};
+  plan.asked.pairs = 1;
+  plan.teams = {{"a", {{"team", "1"}}}, {"b", {{"team", "2"}}}};
   plan.most_goals = 10;
   study::Tournament course(plan);
   report::CourseRecord record(plan, course, {});
@@ -89,7 +91,8 @@ TEST_F(MetricRow, StandsOnThePageOfATournament) {
     record.take(&decided);
   }
   const report::TournamentView view{plan, course, [](std::uint64_t) { return std::string("again"); }};
-  const std::string page = report::tournament_page({view, record, {}, {}, "1", "regista", {}, {}, table});
+  const std::string page =
+      report::tournament_page({view, record, {}, {}, report::what_was_played(plan), {}, {}, {}, table});
   EXPECT_THAT(page, HasSubstr("<td>Headers won</td>"));
   EXPECT_THAT(page, HasSubstr("2.2")) << "the mean of 3.5 at home and 1 away";
 }

@@ -25,7 +25,7 @@ class TwoRounds : public study::Study {
   std::uint64_t most_matches() const override { return 10; }
   std::uint64_t counted() const override { return taken_; }
   campaign::Metrics metrics() const override { return campaign::Metrics::left_out; }
-  const campaign::Limits& limits() const override { return limits_; }
+  campaign::Limits limits() const override { return limits_; }
   const std::string& folder() const override { return folder_; }
   std::string plan() const override { return "{}"; }
   std::vector<std::string> differences(const std::string&) const override { return {}; }

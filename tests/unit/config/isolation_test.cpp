@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // What documents of studies say of how their matches are played: the same keys in both kinds.
-#include "config/isolation.hpp"
-
 #include <gtest/gtest.h>
 
 #include "config/documents.hpp"
@@ -28,8 +26,8 @@ class IsolationKeys : public InFolder {
 
   template <class Study>
   static void expect(const Study& study, Isolation isolation, bool play_twice) {
-    EXPECT_EQ(study.isolation, isolation);
-    EXPECT_EQ(study.play_twice, play_twice);
+    EXPECT_EQ(study.settings.isolation, isolation);
+    EXPECT_EQ(study.settings.play_twice, play_twice);
   }
 };
 

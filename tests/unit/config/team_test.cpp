@@ -388,7 +388,7 @@ TEST_F(TeamFiles, WhatAPageLaysOverAnotherIsRefusedWhereItStands) {
         "    - {name: wing, target: {at: ball}}\n"
         "  under_siege:\n"
         "    - {name: wing, target: {on_line: [ball, centre]}}\n");
-  const auto refused = [this](const std::string& roles, const std::vector<std::string>& overrides = {}) {
+  const auto refused = [this](const std::string& roles, const Overrides& overrides = {}) {
     write("over.yaml", "extends: base.yaml\nroles:\n" + roles);
     return error_of([&] { read_team("over.yaml", overrides); });
   };

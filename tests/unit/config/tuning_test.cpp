@@ -82,16 +82,16 @@ TEST_F(TuningDocument, EveryKey) {
   EXPECT_EQ(tuning.objective.minimise[1].weight, -0.01);
   EXPECT_EQ(to_string(tuning.objective.minimise[1].where), "t.yaml:11:52");
   EXPECT_EQ(tuning.seed, 7);
-  EXPECT_EQ(tuning.rules, absolute("rules.yaml"));
-  EXPECT_EQ(tuning.robot, absolute("robot.yaml"));
+  EXPECT_EQ(tuning.settings.rules, absolute("rules.yaml"));
+  EXPECT_EQ(tuning.settings.robot, absolute("robot.yaml"));
   EXPECT_EQ(tuning.disturbance, absolute("own.yaml"));
   EXPECT_EQ(tuning.opponent_disturbance, absolute("other.yaml"));
-  ASSERT_EQ(tuning.openings.size(), 2u);
-  EXPECT_EQ(tuning.openings[0].path, absolute("scenes"));
-  EXPECT_EQ(tuning.openings[1].path, absolute("two.yaml"));
-  EXPECT_EQ(to_string(tuning.openings[1].where), "t.yaml:17:20");
-  EXPECT_EQ(tuning.limit, 120.0);
-  EXPECT_EQ(tuning.set["rules.messages.budget"].text(), "600");
+  ASSERT_EQ(tuning.settings.openings.size(), 2u);
+  EXPECT_EQ(tuning.settings.openings[0].path, absolute("scenes"));
+  EXPECT_EQ(tuning.settings.openings[1].path, absolute("two.yaml"));
+  EXPECT_EQ(to_string(tuning.settings.openings[1].where), "t.yaml:17:20");
+  EXPECT_EQ(tuning.settings.limit, 120.0);
+  EXPECT_EQ(tuning.settings.set["rules.messages.budget"].text(), "600");
   EXPECT_EQ(tuning.search.algorithm, "spsa");
   EXPECT_EQ(tuning.search.matches, 500);
   EXPECT_EQ(tuning.search.minutes, 2.5);
@@ -113,15 +113,15 @@ TEST_F(TuningDocument, WhatIsNotSaidHasItsDefault) {
   const Tuning tuning = read(least), none;
   EXPECT_EQ(tuning.search.algorithm, none.search.algorithm);
   EXPECT_EQ(tuning.search.matches, none.search.matches);
-  EXPECT_FALSE(tuning.search.minutes || tuning.search.pairs || tuning.search.population || tuning.limit);
+  EXPECT_FALSE(tuning.search.minutes || tuning.search.pairs || tuning.search.population || tuning.settings.limit);
   EXPECT_TRUE(tuning.objective.maximise.empty() && tuning.objective.minimise.empty());
   // What is in force is shown.
   const Node shown = parse_text(show(load("t.yaml")), "shown.yaml");
   EXPECT_EQ(shown["objective"]["maximise"]["goal_difference"].text(), "1");
   EXPECT_EQ(tuning.verification.against, Tuning::Against::opponents);
   EXPECT_EQ(tuning.seed, 1);
-  EXPECT_TRUE(tuning.openings.empty());
-  EXPECT_FALSE(tuning.set);
+  EXPECT_TRUE(tuning.settings.openings.empty());
+  EXPECT_FALSE(tuning.settings.set);
 }
 
 TEST_F(TuningDocument, AMeasureByItselfCountsOnce) {
@@ -132,7 +132,7 @@ TEST_F(TuningDocument, AMeasureByItselfCountsOnce) {
 }
 
 TEST_F(TuningDocument, OneOpeningNeedsNoList) {
-  EXPECT_EQ(read(std::string(least) + "openings: two.yaml\n").openings.size(), 1u);
+  EXPECT_EQ(read(std::string(least) + "openings: two.yaml\n").settings.openings.size(), 1u);
 }
 
 TEST_F(TuningDocument, OverridesAndVariants) {
@@ -174,13 +174,13 @@ TEST_F(TuningDocument, ShownReadsBackTheSame) {
           EXPECT_EQ(first[i].weight, second[i].weight);
         }
       }
-      EXPECT_EQ(a.openings.size(), b.openings.size());
-      EXPECT_EQ(a.limit, b.limit);
+      EXPECT_EQ(a.settings.openings.size(), b.settings.openings.size());
+      EXPECT_EQ(a.settings.limit, b.settings.limit);
       EXPECT_EQ(a.search.minutes, b.search.minutes);
       EXPECT_EQ(a.search.population, b.search.population);
       EXPECT_EQ(a.verification.against, b.verification.against);
       EXPECT_EQ(a.verification.confidence, b.verification.confidence);
-      EXPECT_TRUE(same(a.set, b.set));
+      EXPECT_TRUE(same(a.settings.set, b.settings.set));
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "campaign/metric_json.hpp"
 #include "report/tournament.hpp"
 #include "study/tournament.hpp"
+#include "unit/study/tournament_fixture.hpp"
 
 namespace regista::report {
 
@@ -34,12 +35,14 @@ inline campaign::Decided unplayed(const std::string& why = "Segmentation fault, 
 
 struct Course {
   explicit Course(std::vector<std::string> labels, std::uint64_t pairs = 1'000'000,
-                  study::Objective objective = study::FixedNumber{}) {
+                  const study::Objective& objective = study::FixedNumber{}) {
+    plan.asked.name = "trial";
     for (std::string& label : labels) {
-      plan.teams.push_back({label, label + ".yaml", {{"team", "hash of " + label}}});
+      plan.asked.teams.push_back({label + ".yaml", "", {}});
+      plan.teams.push_back({label, {{"team", "hash of " + label}}});
     }
-    plan.pairs = pairs;
-    plan.objective = std::move(objective);
+    plan.asked.pairs = static_cast<int>(pairs);
+    plan.asked.test = study::test_of(objective);
     plan.most_goals = 10;
     tournament.emplace(plan);
   }

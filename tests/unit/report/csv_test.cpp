@@ -31,7 +31,7 @@ TEST(TournamentCsv, Head) {
 
 TEST(TournamentCsv, ALineForAMatch) {
   Course course({"new", "old"}, 10);
-  course.plan.first_seed = 7;
+  course.plan.asked.seed = 7;
   course.tournament.emplace(course.plan);
   EXPECT_EQ(line(course, 3, match(2, 1)), "4,2,8,,old,new,2,1,full_time,9f2c,,,,\n");
   EXPECT_EQ(line(course, 2, failed(1)),

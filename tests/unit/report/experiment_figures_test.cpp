@@ -40,7 +40,7 @@ std::vector<std::string> names(const std::vector<Figure>& figures) {
 ExperimentPlan measuring(std::size_t arms, std::size_t values, std::vector<std::string> measures) {
   ExperimentPlan plan = study::experiment_of(arms, values, 4);
   plan.measures = std::move(measures);
-  plan.primary = "packets";
+  plan.asked.primary->measure = "packets";
   return plan;
 }
 
@@ -76,10 +76,12 @@ TEST(ExperimentFigures, PanelsOfRolesAreThoseThatMeasuresName) {
   EXPECT_THAT(figure.csv, AllOf(StartsWith("role,arm 0 overlap_seconds,"), Not(HasSubstr("switches"))));
 }
 
+config::Node text(const char* value) { return config::Node::scalar(value, false, {}); }
+
 TEST(ExperimentFigures, ValuesThatAreNoNumbersHaveRows) {
   ExperimentPlan plan = measuring(2, 2, {"packets"});
   EXPECT_THAT(figures(plan)[0].commands, HasSubstr("filledcurves"));
-  plan.values = {"a long name of a value that would not fit beside others", "b"};
+  plan.asked.sweep->values = {text("a long name of a value that would not fit beside others"), text("b")};
   const Figure figure = figures(plan)[0];
   EXPECT_THAT(figure.commands, AllOf(HasSubstr("set ytics scale 0 ('a long"), Not(HasSubstr("filledcurves"))));
   EXPECT_THAT(figure.csv, HasSubstr("\n1,b,"));
@@ -87,7 +89,7 @@ TEST(ExperimentFigures, ValuesThatAreNoNumbersHaveRows) {
 
 TEST(ExperimentFigures, GnuplotDrawsThem) {
   ExperimentPlan rows = measuring(3, 2, {"packets"});
-  rows.values = {"a", "b"};
+  rows.asked.sweep->values = {text("a"), text("b")};
   for (const ExperimentPlan& plan :
        {measuring(3, 1, {"packets", "goals", "striker.switches", "striker.overlap_seconds"}),
         measuring(9, 3, {"packets"}), rows}) {

@@ -55,7 +55,7 @@ TEST(ExperimentHeadline, NoneFound) {
             "No difference in striker.overlap_seconds was found between any two of the 3 arms. This does not show that "
             "there is none.");
   ExperimentPlan some = study::experiment_of(4, 1, 12);
-  some.comparisons = {{0, 1}, {2, 3}};
+  study::compare(some, {{0, 1}, {2, 3}});
   EXPECT_EQ(headline(some, of({10, 10, 30, 30})),
             "No difference in striker.overlap_seconds was found in any of 2 comparisons. This does not show that there "
             "is none.");
@@ -78,7 +78,7 @@ TEST(ExperimentHeadline, SomeFound) {
 // All that was compared was found, but not everything was compared.
 TEST(ExperimentHeadline, WhatWasNotComparedIsNotOrdered) {
   ExperimentPlan plan = study::experiment_of(3, 1, 12);
-  plan.comparisons = {{0, 1}, {0, 2}};
+  study::compare(plan, {{0, 1}, {0, 2}});
   EXPECT_EQ(headline(plan, of({30, 20, 10})), "arm 0 has more striker.overlap_seconds than arm 1 and arm 2.");
 }
 
@@ -86,7 +86,7 @@ TEST(ExperimentHeadline, WhatWasNotComparedIsNotOrdered) {
 TEST(ExperimentHeadline, TheCorrectionCounts) {
   const auto overlap = [](std::size_t condition) { return condition == 0 ? 10.35 : 10.0; };
   ExperimentPlan several = study::experiment_of(8, 1, 12);
-  several.comparisons = {{0, 1}, {2, 3}, {4, 5}, {6, 7}};
+  study::compare(several, {{0, 1}, {2, 3}, {4, 5}, {6, 7}});
   EXPECT_THAT(headline(study::experiment_of(2, 1, 12), overlap), HasSubstr("arm 0 has more"));
   EXPECT_THAT(headline(several, overlap), testing::StartsWith("No difference in striker.overlap_seconds was found"));
 }
@@ -113,7 +113,6 @@ TEST(ExperimentHeadline, OfASweepTheValuesAreNamed) {
 
 TEST(ExperimentHeadline, OfOneArmOverASweepTheFirstValueIsTheReference) {
   ExperimentPlan plan = study::experiment_of(1, 4, 12);
-  plan.comparisons = {{1, 0}, {2, 0}, {3, 0}};
   EXPECT_EQ(headline(plan, of({10, 10, 20, 30})),
             "arm 0 has more striker.overlap_seconds at 2 and 3 of rules.messages.budget than at 0. No difference was "
             "found between arm 0 at 1 and arm 0 at 0.");
@@ -127,12 +126,10 @@ TEST(ExperimentHeadline, WhereThereIsNoTest) {
   EXPECT_EQ(headline(study::experiment_of(2, 1, 12), of({10, 30}), 20),
             "Not at its end: 20 of 48 matches. Nothing is tested yet.");
   ExperimentPlan described = study::experiment_of(2, 1, 12);
-  described.primary.clear();
-  described.comparisons.clear();
+  described.asked.primary.reset();
   EXPECT_EQ(headline(described, of({10, 30})), "The experiment names no primary measure, so nothing was tested.");
-  ExperimentPlan alone = study::experiment_of(2, 1, 12);
-  alone.comparisons.clear();
-  EXPECT_EQ(headline(alone, of({10, 30})), "Nothing was compared: the experiment plans no comparison.");
+  EXPECT_EQ(headline(study::experiment_of(1, 1, 12), of({10})),
+            "Nothing was compared: the experiment plans no comparison.");
   ExperimentPlan equal = study::experiment_of(2, 1, 12);
   equal.conditions[1].jobs = equal.conditions[0].jobs;
   EXPECT_EQ(headline(equal, of({10, 10})), "arm 0 and arm 1 are equal by construction.");

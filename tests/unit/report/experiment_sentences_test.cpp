@@ -58,7 +58,7 @@ TEST(ExperimentSentences, WithoutSpreadTheReasonIsNamedAndSignsAreCounted) {
 TEST(ExperimentSentences, TheNormalLawIsNamedWhereSignsAreNotCounted) {
   for (const std::uint64_t pairs : {32u, 33u}) {
     ExperimentPlan plan = study::experiment_of(2, 1, pairs);
-    plan.test = study::PairTest::sign_flip;
+    plan.asked.primary->test = study::PairTest::sign_flip;
     EXPECT_THAT(told(plan, spread).findings,
                 Contains(HasSubstr(pairs == 32 ? "(all signs, exact)" : "(all signs, by the normal law)")));
   }
@@ -72,8 +72,11 @@ TEST(ExperimentSentences, NotesTellOfPlayingOfTheOpponentAndOfSeveralIntervals) 
                                    AllOf(HasSubstr("apply to the opponent, too"), HasSubstr("rules.messages.budget")),
                                    HasSubstr("for all 2 comparisons together")));
   ExperimentPlan plan = study::experiment_of(2, 1, 3);
-  plan.arms[0].settings = {"rulesome.plugin=x", "robot=nao"};
-  plan.arms[1].settings = {"robot.walk.forward=0.2", "robot.walk.forward=0.3"};
+  const auto set = [](const char* path, const char* value) {
+    return config::Node::Entry{path, {}, config::Node::scalar(value, false, {})};
+  };
+  plan.asked.arms[0].set = config::Node::map({set("rulesome.plugin", "x"), set("robot", "nao")}, {});
+  plan.asked.arms[1].set = config::Node::map({set("robot.walk.forward", "0.2")}, {});
   EXPECT_THAT(told(plan, spread).notes, Contains(HasSubstr("at all values of robot, robot.walk.forward.")));
 }
 

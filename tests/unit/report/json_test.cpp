@@ -116,7 +116,7 @@ TEST(TournamentJson, ARanking) {
 
 TEST(TournamentJson, Failures) {
   Course course({"good", "bad"}, 20);
-  course.plan.failures_in_a_row = 2;
+  course.plan.asked.failures_in_a_row = 2;
   course.take(failed(1, "\xff"));
   course.take(failed(0, "\xff"));
   const Json json = read(course);

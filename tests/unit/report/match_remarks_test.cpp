@@ -34,7 +34,7 @@ void take(Course& course, int won, int lost, int not_played) {
 
 std::string page_of(const Course& course) {
   CourseRecord record(course.plan, *course.tournament);
-  return tournament_page({course.view(), record, {}, {}, "1", "regista", {}, {}});
+  return tournament_page({course.view(), record, {}, {}, what_was_played(course.plan), {}, {}, {}});
 }
 
 TEST(Unplayed, WhatIsNotListedIsCounted) {

@@ -31,7 +31,7 @@ std::string metrics(int home, int away) {
 // Two pairs; a spends 45 packets in each match, b 20.
 struct ShortGames : Course {
   explicit ShortGames(std::vector<std::string> labels = {"a", "b"}) : Course(std::move(labels), 2) {
-    plan.common.limit = "30";
+    plan.asked.settings.limit = 30;
     tournament.emplace(plan);
   }
   std::vector<campaign::Decided> matches() const {
@@ -107,7 +107,7 @@ TEST(PacketsSpent, PageOfATournament) {
     course.take(each);
     record.take(&each);
   }
-  const std::string page = tournament_page({course.view(), record, {}, {}, "1", "regista", {}, {}});
+  const std::string page = tournament_page({course.view(), record, {}, {}, what_was_played(course.plan), {}, {}, {}});
   EXPECT_THAT(page, HasSubstr("<bdi>a</bdi> spent 45 packets per match; the share of the budget for this length is 30: "
                               "overspent."));
   EXPECT_THAT(page,

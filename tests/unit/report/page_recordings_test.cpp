@@ -104,7 +104,7 @@ TEST_F(PageRecordingsTest, NoneAtAll) {
 
 TEST_F(PageRecordingsTest, EachFileIsFittingOrAnother) {
   Course course({"a", "b"}, 3);
-  course.plan.first_seed = 7;
+  course.plan.asked.seed = 7;
   course.plan.openings = {{"scenes/l.yaml", {"opening left", "hash"}}};
   course.tournament.emplace(course.plan);
   CourseRecord record(course.plan, *course.tournament, {0, 1, 2, 3, 900});

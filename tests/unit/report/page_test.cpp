@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "course.hpp"
-#include "report/reproduction.hpp"
 #include "report/tournament_figures.hpp"
 #include "report/tournament_page.hpp"
 
@@ -20,8 +19,14 @@ std::string page_of(const Course& course, const CourseRecord& record, std::vecto
   for (Figure& each : tournament_figures(course.view(), record)) {
     figures.push_back({std::move(each), why_not.empty() ? "<svg></svg>" : "", why_not});
   }
-  return tournament_page({course.view(), record, std::move(figures), std::move(documents), "1.2.3",
-                          "regista tournament x", std::move(recordings), [](std::uint64_t match) {
+  return tournament_page({course.view(),
+                          record,
+                          std::move(figures),
+                          std::move(documents),
+                          what_was_played(course.plan),
+                          {"night.db", "1.2.3", "9f2c", {}},
+                          std::move(recordings),
+                          [](std::uint64_t match) {
                             return RecordingLink{"night.recordings/" + std::to_string(match + 1) + ".mcap",
                                                  "regista view " + std::to_string(match + 1)};
                           }});
@@ -84,7 +89,7 @@ TEST(TournamentPage, HasItsPartsInTheirOrder) {
               AllOf(HasSubstr("again 19"), HasSubstr("href=\"./night.recordings/4.mcap\""), HasSubstr("regista view 4"),
                     HasSubstr("<td><code class=\"path\">x</code></td><td><code>1</code></td>"),
                     HasSubstr("(forfeit, as far as it was played)"), HasSubstr("1 more file not read."),
-                    HasSubstr("hash of new"), HasSubstr("Regista 1.2.3"), HasSubstr("regista tournament x")));
+                    HasSubstr("hash of new"), HasSubstr("Regista 1.2.3"), HasSubstr("regista run study.yaml")));
   EXPECT_EQ(count(page, "Here a figure is missing: gnuplot is not installed"), 5u);
   EXPECT_EQ(count(page, "href=\"data:text/csv"), 5u);
   EXPECT_TRUE(is_our_page(page.substr(0, page_beginning)));
@@ -107,7 +112,7 @@ TEST(TournamentPage, NoNameGetsOutOfItsPlace) {
   Course course({hostile, "=b", "c\"c"}, 4);
   for (study::Entrant& team : course.plan.teams) team.inputs = {{hostile, hostile}};
   course.plan.common_inputs = {{hostile, hostile}};
-  course.plan.folder = course.plan.common.limit = hostile;
+  course.plan.folder = course.plan.asked.settings.rules = hostile;
   course.plan.openings = {{hostile, {hostile, hostile}}};
   course.tournament.emplace(course.plan);
   CourseRecord record(course.plan, *course.tournament);
@@ -176,17 +181,37 @@ TEST(TournamentPage, OfOnePairAndOfManyTeams) {
   EXPECT_THAT(page, AllOf(HasSubstr("190 pairings"), HasSubstr("All against all"), HasSubstr("leads 20 teams")));
 }
 
-TEST(Reproduction, TheWordsThatPlanIt) {
-  Course course({"a", "b"}, 7, sprt(-10, 5.5, statistics::Model::logistic));
-  course.plan.first_seed = 3;
-  course.plan.openings = {{"o/x y.yaml", {}}};
-  course.plan.common.overrides = {"a.x=1"};
-  course.plan.common.limit = "30";
-  EXPECT_THAT(tournament_arguments(course.plan),
-              testing::ElementsAre("tournament", "--team", "a.yaml", "--team", "b.yaml", "--pairs", "7", "--seed", "3",
-                                   "--sprt=-10,5.5", "--model", "logistic", "--alpha", "0.05", "--beta", "0.05",
-                                   "--openings", "o/x y.yaml", "--limit", "30", "--set", "a.x=1", "--failures-in-a-row",
-                                   "10", "--processor-seconds", "10", "--memory", "2048"));
+TEST(TournamentPage, SaysWhatWasPlayed) {
+  Course course({"new", "old"}, 7, sprt(-10, 5.5));
+  study::TournamentPlan& plan = course.plan;
+  plan.asked.seed = 3;
+  plan.asked.teams[1].disturbance = "noise.yaml";
+  plan.asked.settings.rules = "small.yaml";
+  plan.asked.settings.limit = 30;
+  plan.asked.settings.set = config::Node::map({{"a.sender.params.period", {}, config::Node::scalar("4", false, {})},
+                                               {"rules.team_size", {}, config::Node::scalar("5", false, {})}},
+                                              {});
+  plan.common_inputs = {{"rules small", "1"},
+                        {"robot nao", "2"},
+                        {"home disturbance none", "3"},
+                        {"away disturbance none", "4"},
+                        {"program", "0123456789abcdef"}};
+  plan.teams[1].disturbances = {{"home disturbance noise", "5"}, {"away disturbance noise", "6"}};
+  plan.openings = {{"o/x y.yaml", {"opening x", "7"}}};
+  plan.plugins = {"my plugins"};
+  const std::string text = played_text(what_was_played(plan));
+  EXPECT_THAT(text, AllOf(HasSubstr("team new (new.yaml, version "),
+                          HasSubstr("disturbance none (built in), set sender.params.period=4\n"),
+                          HasSubstr("), disturbance noise (noise.yaml)\n"), HasSubstr("rules small (small.yaml)\n"),
+                          HasSubstr("robot nao (built in)\n"), HasSubstr("set rules.team_size=5\n"),
+                          HasSubstr("games from 1 scene, 30 s at most\n"), HasSubstr("program 01234567\n"),
+                          HasSubstr("7 pairs, seeds from 3\n")));
+  CourseRecord record(plan, *course.tournament);
+  const std::string page = page_of(course, record, {"team: x\n", "team: x\n"});
+  EXPECT_THAT(page, AllOf(HasSubstr("noise.yaml"),
+                          HasSubstr("disturbance</code></td><td><code>none</code></td><td><code>noise"),
+                          HasSubstr("regista report night.db --study again"),
+                          HasSubstr("regista run study.yaml --plugins &#39;my plugins&#39;")));
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ using testing::StartsWith;
 
 TEST(TournamentText, ThePublishedPairsInTheFormThatPeopleKnow) {
   Course course({"new", "old"}, 290);
-  course.plan.first_seed = 7;
-  course.plan.common.limit = "12.5";
+  course.plan.asked.seed = 7;
+  course.plan.asked.settings.limit = 12.5;
   course.take_pairs({{34, 54, 63, 64, 75}});
   const std::string text = tournament_text(course.view());
   // Won: 2 * 75 + 64 + 63, for the pairs that ended even are a win and a loss each.
@@ -152,7 +152,7 @@ TEST(TournamentText, EqualTeamsAreCalledSo) {
 
 TEST(TournamentText, FailuresTellWhoAndHowToSeeItAgain) {
   Course course({"good", "bad"}, 20);
-  course.plan.failures_in_a_row = 3;
+  course.plan.asked.failures_in_a_row = 3;
   for (int i = 0; i < 2; ++i) {
     course.take(failed(1, "Segmentation\nfault"));
     course.take(failed(0, "Segmentation\nfault"));
@@ -170,7 +170,7 @@ TEST(TournamentText, FailuresTellWhoAndHowToSeeItAgain) {
 
 TEST(TournamentText, OfManyReasonsAHundredAreToldAndTheOthersCounted) {
   Course course({"good", "bad"}, 60);
-  course.plan.failures_in_a_row = 0;
+  course.plan.asked.failures_in_a_row = 0;
   int played = 0;
   const auto play = [&](int matches) {
     for (; played < matches; ++played) course.take(failed(1 - played % 2, fmt::format("reason {}", played)));
@@ -210,14 +210,14 @@ TEST(TournamentText, ThreeTeamsAreRanked) {
   longer.take_pairs({{{3, 2, 4, 5, 6}}, {{2, 2, 2, 6, 8}}, {{3, 4, 2, 5, 6}}});
   EXPECT_THAT(tournament_text(longer.view()), testing::ContainsRegex("\n   1  a +[0-9.]+ \\+/- [0-9.]+ "));
   EXPECT_THAT(tournament_text(longer.view()), Not(HasSubstr("No margin")));
-  course.plan.format = study::Format::gauntlet;
+  course.plan.asked.format = config::Tournament::Format::gauntlet;
   EXPECT_THAT(title(course.view()), StartsWith("3 teams, gauntlet ("));
 }
 
 // The pairs of the title are those that the schedule has come through, whoever still plays.
 TEST(TournamentText, TheTitleOfATournamentWhoseLastTeamWasSetAside) {
   Course course({"a", "b", "c"}, 6);
-  course.plan.failures_in_a_row = 2;
+  course.plan.asked.failures_in_a_row = 2;
   for (std::uint64_t i = 0; i < course.plan.matches(); ++i) {
     const study::Fixture fixture = course.tournament->calendar().at(i);
     course.take(fixture.home == 2 ? failed(0) : fixture.away == 2 ? failed(1) : match(1, 0));

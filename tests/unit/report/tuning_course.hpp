@@ -22,9 +22,9 @@ namespace regista::report {
 // Two weights of a team, of a range of 0 to 10 and, by its logarithm, of 0.1 to 10, against two opponents.
 inline study::TuningPlan tuning_plan() {
   study::TuningPlan plan;
-  plan.name = "weights";
-  plan.question = "Do other weights score more?";
-  plan.team = "teams/base.yaml";
+  plan.asked.name = "weights";
+  plan.asked.question = "Do other weights score more?";
+  plan.asked.team = "teams/base.yaml";
   plan.document = "team: base\nweights:\n  distance: 5.0\n  bearing: 1.0\n";
   plan.parameters = {{"weights.distance", 5.0, 0.0, 10.0, false, false, "m", "how much the distance counts"},
                      {"weights.bearing", 1.0, 0.1, 10.0, false, true, "", "how much the bearing counts"}};
@@ -40,19 +40,21 @@ inline study::TuningPlan tuning_plan() {
   };
   plan.opponents = {against("fixed_rate", 0.75), against("spqr", 0.25)};
   plan.base = against("base", 1.0);
+  plan.asked.opponents = {{"fixed_rate.yaml", 0.75, {}}, {"spqr.yaml", 0.25, {}}};
+  for (const study::Parameter& each : plan.parameters)
+    plan.asked.parameters.push_back({each.path, std::nullopt, {}, {}});
   plan.objective = {{{"goal_difference", 1.0}}, false};
   plan.most_goals = 10;
-  plan.seed = 3;
-  plan.algorithm = study::Algorithm::spsa;
+  plan.asked.seed = 3;
+  plan.asked.search.algorithm = "spsa";
   plan.search_pairs = 60;
-  plan.finalists = 3;
+  plan.asked.selection.finalists = 3;
   plan.selection_pairs = 12;
-  plan.candidates = 1;
+  plan.asked.verification.candidates = 1;
   plan.verification_pairs = 200;
-  plan.slice_points = 5;
-  plan.slice_pairs = 10;
+  plan.asked.slices.points = 5;
+  plan.asked.slices.pairs = 10;
   plan.folder = "/somewhere";
-  plan.file = "configs/studies/weights.yaml";
   return plan;
 }
 

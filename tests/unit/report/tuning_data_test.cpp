@@ -97,7 +97,7 @@ TEST(TuningJson, NumbersAreThoseOfTheMatches) {
 TEST(TuningJson, OfAMinimisedObjectiveInTheUsersTerms) {
   study::TuningPlan plan = tuning_plan();
   plan.objective = {{{"striker.overlap_seconds", 1.0}}, true};
-  plan.algorithm = study::Algorithm::sbplx;
+  plan.asked.search.algorithm = "sbplx";
   const TunedCourse course(plan);
   const Json json = read(course);
   const Json& candidate = json["verification"]["candidates"][0];
@@ -117,7 +117,8 @@ TEST(TuningJson, OfAMinimisedObjectiveInTheUsersTerms) {
 
 TEST(TuningJson, WhateverTheBytesItIsJson) {
   TunedCourse course(tuning_plan());
-  course.plan.name = course.plan.question = course.plan.opponents[0].label = course.file = "\xff\"\\\n\u202e";
+  course.plan.asked.name = course.plan.asked.question = course.plan.opponents[0].label = course.file =
+      "\xff\"\\\n\u202e";
   EXPECT_EQ(read(course)["tuning"], "\xef\xbf\xbd\"\\\n\u202e");
 }
 
@@ -136,7 +137,7 @@ TEST(TuningCsv, ALineForAnEvaluationThatReadsBackExactly) {
   for (const bool minimise : {false, true}) {
     study::TuningPlan plan = tuning_plan();
     plan.objective.minimise = minimise;
-    plan.algorithm = study::Algorithm::sbplx;
+    plan.asked.search.algorithm = "sbplx";
     plan.pairs = 3;
     const TunedCourse course(plan);
     const auto table = rows(tuning_csv(course.view()));

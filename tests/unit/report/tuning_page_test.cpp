@@ -19,7 +19,7 @@ using testing::Not;
 std::string page_of(const TunedCourse& course, const std::string& why_not = "gnuplot is not installed") {
   std::vector<PageFigure> figures;
   for (Figure& each : tuning_figures(course.view())) figures.push_back({std::move(each), "", why_not});
-  return tuning_page({course.view(), std::move(figures), {"1.2.3", "9f2c", "regista tune x"}});
+  return tuning_page({course.view(), std::move(figures), {"weights.db", "1.2.3", "9f2c", "Of its own."}});
 }
 
 // A tuned team that forfeits a match of the search.
@@ -58,7 +58,7 @@ TEST(TuningPage, NoNameGetsOutOfItsPlace) {
   const study::TuningPlan plan = tuning_plan();
   TunedCourse course(plan, [&](const campaign::Job& job) { return with_a_forfeit(plan, job, hostile); });
   study::TuningPlan& shown = course.plan;
-  shown.name = shown.question = shown.team = shown.document = shown.folder = shown.file = course.file = hostile;
+  shown.asked.name = shown.asked.question = shown.asked.team = shown.document = shown.folder = course.file = hostile;
   shown.settings = {hostile};
   for (study::Parameter& each : shown.parameters) each.path = each.unit = each.doc = hostile;
   for (study::TuningOpponent& each : shown.opponents) {
@@ -106,7 +106,7 @@ TEST(TuningFigures, TheirNamesAndTables) {
 TEST(TuningFigures, LongSearchesAreThinned) {
   study::TuningPlan plan = tuning_plan();
   plan.search_pairs = 5000;
-  plan.slice_points = 0;
+  plan.asked.slices.points = 0;
   const TunedCourse course(plan);
   ASSERT_GT(course.record.trace.size(), 4000u);
   const Figure figure = tuning_figures(course.view()).front();
@@ -122,19 +122,6 @@ TEST(TuningFigures, ForfeitsStandAtTheBottom) {
   const Figure figure = tuning_figures(course.view()).front();
   EXPECT_THAT(figure.commands, HasSubstr("'forfeited'"));
   EXPECT_THAT(figure.csv, Not(HasSubstr(",-10,")));
-}
-
-TEST(TuningArguments, TheWordsThatPlayItAgain) {
-  study::TuningPlan plan = tuning_plan();
-  plan.overrides = {"search.matches=100", "seed=4"};
-  plan.limits.processor_seconds = 20;
-  EXPECT_THAT(tuning_arguments(plan), ElementsAre("tune", "configs/studies/weights.yaml", "--set", "search.matches=100",
-                                                  "--set", "seed=4", "--processor-seconds", "20", "--memory", "2048"));
-  plan.overrides.clear();
-  for (campaign::Job& job : plan.base.jobs) job.plugins = {"my plugins"};
-  EXPECT_THAT(tuning_arguments(plan, {"--more", "1"}),
-              ElementsAre("tune", "configs/studies/weights.yaml", "--more", "1", "--plugins", "my plugins",
-                          "--processor-seconds", "20", "--memory", "2048"));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
   EXPECT_THAT(tuning_text(TunedCourse(tuning_plan()).view()),
               HasSubstr("it is the mean of points that the search played"));
   study::TuningPlan plan = tuning_plan();
-  plan.algorithm = study::Algorithm::sbplx;
+  plan.asked.search.algorithm = "sbplx";
   plan.pairs = 2;
   const TunedCourse course(plan);
   const CandidateVerdict of = candidate_verdicts(course.view()).at(0);
@@ -57,7 +57,7 @@ TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
 // All weights play equally well, each with luck of its own.
 TEST(TuningText, ATie) {
   study::TuningPlan plan = tuning_plan();
-  plan.seed = 5;
+  plan.asked.seed = 5;
   const TunedCourse course(plan, [&](campaign::Job job) {
     const std::uint64_t seed = job.seed;
     for (const char c : job.overrides[0] + job.overrides[1]) job.seed = 31 * job.seed + static_cast<unsigned char>(c);
@@ -76,7 +76,7 @@ TEST(TuningText, ATie) {
 // optimistic.
 TEST(TuningText, ALoss) {
   study::TuningPlan plan = tuning_plan();
-  plan.algorithm = study::Algorithm::sbplx;
+  plan.asked.search.algorithm = "sbplx";
   const auto turned = [&plan](const campaign::Job& job) {
     return decided_by(plan, job, [&](double a, double b) {
       return stage_of(job) == TuningStage::verification ? -peak(a, b) : peak(a, b);
@@ -91,7 +91,7 @@ TEST(TuningText, ALoss) {
 
 TEST(TuningText, NothingBetterThanTheBaseTeam) {
   study::TuningPlan plan = tuning_plan();
-  plan.algorithm = study::Algorithm::sbplx;
+  plan.asked.search.algorithm = "sbplx";
   plan.pairs = 4;
   const TunedCourse course(
       plan, [](double distance, double bearing) { return 1.0 - std::abs(distance - 5.0) - std::abs(bearing - 1.0); });
@@ -103,8 +103,8 @@ TEST(TuningText, NothingBetterThanTheBaseTeam) {
 
 TEST(TuningText, HeadToHeadThereIsTheDifferenceAlone) {
   study::TuningPlan plan = tuning_plan();
-  plan.head_to_head = true;
-  plan.algorithm = study::Algorithm::sbplx;
+  plan.asked.verification.against = config::Tuning::Against::base;
+  plan.asked.search.algorithm = "sbplx";
   const TunedCourse course(plan);
   EXPECT_THAT(tuning_text(course.view()), AllOf(HasSubstr("goal_difference less the base team's in the same matches +"),
                                                 HasSubstr("the selection gave"), HasSubstr("playing each other")));
@@ -132,7 +132,7 @@ TEST(TuningText, WhoForfeitsAMatchOfTheVerificationIsNotTakenForBetter) {
 
 TEST(TuningText, ForfeitsOfOthersAreTheirs) {
   study::TuningPlan plan = tuning_plan();
-  plan.algorithm = study::Algorithm::sbplx;
+  plan.asked.search.algorithm = "sbplx";
   plan.pairs = 3;
   const TunedCourse course(plan, [&](const campaign::Job& job) {
     const bool of_spqr = job.home_inputs.front().hash == "document of spqr" && job.seed % 7 == 0;
@@ -211,7 +211,7 @@ TEST(TuningText, AnOpponentThatIsTheBaseTeamIsNoted) {
 // Stopped by Ctrl-C at any place: everything can be told, is told the same way twice, and says that it is not its end.
 TEST(TuningText, StoppedAnywhere) {
   study::TuningPlan plan = tuning_plan();
-  plan.candidates = 2;
+  plan.asked.verification.candidates = 2;
   const std::uint64_t all = TunedCourse(plan).played;
   std::array<bool, 4> seen{};
   for (std::uint64_t most = 0; most < all; most += most < 8 ? 1 : 23) {
@@ -251,8 +251,8 @@ TEST(TuningStanding, ShowsWhereItIs) {
 
 TEST(TuningText, NamesOfFilesAreShownAsTheyCanBeSeen) {
   TunedCourse course(tuning_plan());
-  course.plan.name = course.plan.team = course.plan.question = course.plan.opponents[0].label = course.file =
-      "a\nb\x1b[31m\u202e\xff";
+  course.plan.asked.name = course.plan.asked.team = course.plan.asked.question = course.plan.opponents[0].label =
+      course.file = "a\nb\x1b[31m\u202e\xff";
   course.plan.parameters[0].path = course.plan.parameters[0].unit = "p\nq\x1b";
   for (const std::string& text : {tuning_text(course.view()), tuning_standing(course.view())}) {
     EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\u202e")), Not(HasSubstr("a\nb")),

@@ -173,7 +173,7 @@ TEST(VerdictSentence, OfARoundRobin) {
 
 TEST(VerdictSentence, OfAGauntlet) {
   Course course({"a", "b", "c", "d"}, 40);
-  course.plan.format = study::Format::gauntlet;
+  course.plan.asked.format = config::Tournament::Format::gauntlet;
   course.tournament.emplace(course.plan);
   course.take_pairs({{30, 5, 5, 0, 0}, {0, 5, 5, 5, 25}, {10, 0, 20, 0, 10}});
   EXPECT_EQ(sentence(course), "a against 3 others: stronger than 1, weaker than 1, open for 1.");
@@ -181,7 +181,7 @@ TEST(VerdictSentence, OfAGauntlet) {
 
 TEST(VerdictSentence, OfAGauntletCountsEachWay) {
   Course course({"new", "weak", "feeble", "faint", "strong"}, 40);
-  course.plan.format = study::Format::gauntlet;
+  course.plan.asked.format = config::Tournament::Format::gauntlet;
   course.tournament.emplace(course.plan);
   course.take_pairs({{0, 0, 5, 0, 35}, {0, 0, 5, 0, 35}, {0, 0, 5, 0, 35}, {35, 0, 5, 0, 0}});
   EXPECT_EQ(sentence(course), "new against 4 others: stronger than 3, weaker than 1, open for 0.");
@@ -189,7 +189,7 @@ TEST(VerdictSentence, OfAGauntletCountsEachWay) {
 
 TEST(VerdictSentence, ForfeitsAreTold) {
   Course course({"good", "bad"}, 20);
-  course.plan.failures_in_a_row = 2;
+  course.plan.asked.failures_in_a_row = 2;
   course.tournament.emplace(course.plan);
   course.take(failed(1));
   course.take(failed(0));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <vector>
 
 #include "campaign/metric_json.hpp"
 #include "study/experiment.hpp"
@@ -14,36 +15,40 @@ namespace regista::study {
 // Arms "arm 0", "arm 1", ... at values "0", "1", ..., all different; every two arms are compared at each value.
 inline ExperimentPlan experiment_of(std::size_t arms, std::size_t values, std::uint64_t pairs) {
   ExperimentPlan plan;
-  plan.name = "trial";
-  plan.opponent = "opponent.yaml";
+  config::Experiment& asked = plan.asked;
+  asked.name = "trial";
+  asked.opponent = "opponent.yaml";
   for (std::size_t arm = 0; arm < arms; ++arm) {
-    plan.arms.push_back({fmt::format("arm {}", arm), fmt::format("{}.yaml", arm), {}});
+    asked.arms.push_back({fmt::format("arm {}", arm), fmt::format("{}.yaml", arm), {}, {}});
   }
-  if (values > 1) plan.sweep = "rules.messages.budget";
-  for (std::size_t value = 0; value < values; ++value) {
-    plan.values.push_back(values > 1 ? std::to_string(value) : "");
-    for (std::size_t arm = 0; arm < arms; ++arm) {
-      Condition& condition = plan.conditions.emplace_back();
-      condition.arm = arm;
-      condition.value = value;
-      for (const std::size_t side : {0u, 1u}) {
-        campaign::Job& job = condition.jobs[side];
-        job.teams[side] = plan.arms[arm].file;
-        job.teams[1 - side] = plan.opponent;
-        (side == 0 ? job.home_inputs : job.away_inputs) = {{"team", fmt::format("team {}", arm)}};
-        (side == 0 ? job.away_inputs : job.home_inputs) = {{"team", "opponent"}};
-        job.common_inputs = {{"rules", fmt::format("rules {}", value)}};
-      }
-      for (std::size_t other = 0; other < arm; ++other) {
-        plan.comparisons.push_back({plan.condition(other, value), plan.condition(arm, value)});
-      }
+  if (values > 1) {
+    asked.sweep.emplace().path = "rules.messages.budget";
+    for (std::size_t value = 0; value < values; ++value)
+      asked.sweep->values.push_back(config::Node::scalar(std::to_string(value), false, {}));
+  }
+  asked.matches = static_cast<int>(2 * pairs);
+  asked.seed = 7;
+  asked.primary.emplace().measure = "striker.overlap_seconds";
+  make_jobs(plan, {});
+  for (Condition& condition : plan.conditions) {
+    for (const std::size_t side : {0u, 1u}) {
+      campaign::Job& job = condition.jobs[side];
+      (side == 0 ? job.home_inputs : job.away_inputs) = {{"team", fmt::format("team {}", condition.arm)}};
+      (side == 0 ? job.away_inputs : job.home_inputs) = {{"team", "opponent"}};
+      job.common_inputs = {{"rules", fmt::format("rules {}", condition.value)}};
     }
   }
   plan.pairs = pairs;
-  plan.first_seed = 7;
   plan.measures = {"striker.overlap_seconds", "packets", "goals", "points"};
-  plan.primary = "striker.overlap_seconds";
   return plan;
+}
+
+// These are compared, of an experiment without a sweep, and no others.
+inline void compare(ExperimentPlan& plan, const std::vector<Comparison>& comparisons) {
+  const auto name = [&](std::size_t arm) { return config::Node::scalar(plan.asked.arms[arm].name, true, {}); };
+  plan.asked.primary->compare.clear();
+  for (const Comparison& each : comparisons)
+    plan.asked.primary->compare.push_back(config::Node::sequence({name(each.first), name(each.second)}, {}));
 }
 
 // The team on `side` has these numbers, the other one others.

@@ -25,7 +25,7 @@ TEST(ExperimentPlan, EveryConditionPlaysTheSameSeedsAndScenesOnBothSides) {
   std::map<std::size_t, std::set<std::tuple<std::uint64_t, std::size_t, std::size_t>>> of_condition;
   for (std::uint64_t index = 0; index < plan.matches(); ++index) {
     const Trial each = trial(plan, index);
-    EXPECT_EQ(each.seed, plan.first_seed + each.pair);
+    EXPECT_EQ(each.seed, plan.first_seed() + each.pair);
     EXPECT_EQ(each.pair, index / (2 * plan.conditions.size()));
     EXPECT_TRUE(of_condition[each.condition].emplace(each.seed, each.side, each.opening).second);
   }
@@ -40,8 +40,8 @@ TEST(ExperimentPlan, MatchesOfATrialAreThoseOfItsCondition) {
   for (std::uint64_t index = 0; index < plan.matches(); ++index) {
     const Trial each = trial(plan, index);
     const campaign::Job made = job(plan, each);
-    EXPECT_EQ(made.teams[each.side], plan.arms[plan.conditions[each.condition].arm].file);
-    EXPECT_EQ(made.teams[1 - each.side], plan.opponent);
+    EXPECT_EQ(made.teams[each.side], team_of(plan, plan.conditions[each.condition].arm));
+    EXPECT_EQ(made.teams[1 - each.side], plan.asked.opponent);
     EXPECT_EQ(made.seed, each.seed);
     EXPECT_EQ(made.opening, "scene.yaml");
     EXPECT_EQ(made.common_inputs.back().name, "scene");
@@ -49,21 +49,48 @@ TEST(ExperimentPlan, MatchesOfATrialAreThoseOfItsCondition) {
   }
 }
 
+config::Node text(const char* value) { return config::Node::scalar(value, false, {}); }
+
 TEST(ExperimentPlan, IsReadAsItWasWritten) {
   ExperimentPlan plan = experiment_of(2, 3, 4);
-  plan.question = "Is it?";
-  plan.arms[1].settings = {"sender.params.reserve=60"};
+  config::Experiment& asked = plan.asked;
+  asked.question = "Is it?";
+  asked.arms[1].set = config::Node::map({{"sender.params.reserve", {}, text("60")}}, {});
+  asked.settings.set = config::Node::map({{"opponent.sender.params.reserve", {}, text("6")}}, {});
+  asked.primary->test = PairTest::sign_flip;
+  asked.confidence = 0.9;
+  asked.disturbance = "d.yaml";
+  asked.settings.limits.processor_seconds = 3;
+  asked.settings.robot = "r.yaml";
+  asked.settings.limit = 30;
   plan.openings = {{"scene.yaml", {"scene", "hash"}}};
-  plan.test = PairTest::sign_flip;
-  plan.confidence = 0.9;
-  plan.limits.processor_seconds = 3;
   plan.folder = "/tmp";
+  plan.plugins = {"mine"};
+  plan.program = "1.2";
   plan.documents = {"team: a", "team: b", "team: c"};
-  plan.conditions[0].jobs[0].home_disturbance = "d.yaml";
+  make_jobs(plan, {});
   const ExperimentPlan read = experiment_plan_from_json(to_json(plan));
   EXPECT_EQ(to_json(read), to_json(plan));
   EXPECT_THAT(differences(plan, read), ElementsAre());
-  EXPECT_EQ(read.conditions[0].jobs[0], plan.conditions[0].jobs[0]);
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) EXPECT_EQ(read.conditions[i].jobs, plan.conditions[i].jobs);
+  EXPECT_EQ(read.program, "1.2");
+}
+
+// Settings of all arms, of the arm, and of the sweep; on whichever side the arm plays.
+TEST(ExperimentPlan, JobsAreAsTheyAreAskedFor) {
+  ExperimentPlan plan = experiment_of(2, 2, 1);
+  plan.asked.arms[1].set = config::Node::map({{"sender.params.reserve", {}, text("60")}}, {});
+  plan.asked.settings.set = config::Node::map({{"opponent.sender.plugin", {}, text("x")}}, {});
+  plan.asked.disturbance = "d.yaml";
+  make_jobs(plan, {});
+  const Condition& last = plan.conditions.at(plan.condition(1, 1));
+  EXPECT_THAT(last.jobs[0].overrides,
+              ElementsAre("away.sender.plugin=x", "home.sender.params.reserve=60", "rules.messages.budget=1"));
+  EXPECT_THAT(last.jobs[1].overrides,
+              ElementsAre("home.sender.plugin=x", "away.sender.params.reserve=60", "rules.messages.budget=1"));
+  EXPECT_EQ(last.jobs[0].home_disturbance + '|' + last.jobs[0].away_disturbance, "d.yaml|");
+  EXPECT_EQ(last.jobs[1].home_disturbance + '|' + last.jobs[1].away_disturbance, "|d.yaml");
+  EXPECT_EQ(last.jobs[0].home_inputs.front().hash, "team 1") << "what was found stays";
 }
 
 TEST(ExperimentPlan, WhatIsNoPlanIsRefused) {
@@ -80,12 +107,15 @@ TEST(ExperimentPlan, WhatIsNoPlanIsRefused) {
   EXPECT_NO_THROW(experiment_plan_from_json(with(R"("pairs":2)", R"("pairs":3)")));
   for (const auto& [what, instead] : {std::pair{R"("pairs":2)", R"("pairs":0)"},
                                       {R"("pairs":2)", R"("pairs":18446744073709551615)"},
-                                      {R"("confidence":0.95)", R"("confidence":1.5)"},
-                                      {R"("comparisons":[[0,1]])", R"("comparisons":[[0,2]])"},
-                                      {R"({"arm":1,"value":0)", R"({"arm":7,"value":0)"},
-                                      {R"("version":1)", R"("version":2)"}}) {
+                                      {R"(confidence: 0.95)", R"(confidence: 1.5)"},
+                                      {R"(measure: striker)", R"(measures: striker)"},
+                                      {R"("measures":[)", R"("measures":[],"more":[)"},
+                                      {R"("version":2)", R"("version":3)"}}) {
     EXPECT_THROW(experiment_plan_from_json(with(what, instead)), std::invalid_argument) << instead;
   }
+  ExperimentPlan fewer = experiment_of(2, 1, 2);
+  fewer.conditions.pop_back();
+  EXPECT_THROW(experiment_plan_from_json(to_json(fewer)), std::invalid_argument);
 }
 
 TEST(ExperimentPlan, EveryDifferenceIsNamed) {
@@ -95,12 +125,12 @@ TEST(ExperimentPlan, EveryDifferenceIsNamed) {
     change(now);
     return differences(plan, now);
   };
-  EXPECT_THAT(changed([](auto& now) { now.pairs = 3; }),
-              ElementsAre("the number of matches for each arm: was 4, now 6"));
-  EXPECT_THAT(changed([](auto& now) { now.first_seed = 8; }), ElementsAre("the first seed: was 7, now 8"));
-  EXPECT_THAT(changed([](auto& now) { now.arms[1].name = "other"; }), testing::Contains(HasSubstr("the arms: was")));
-  EXPECT_THAT(changed([](auto& now) { now.test = PairTest::sign_flip; }), ElementsAre(HasSubstr("the test")));
-  EXPECT_THAT(changed([](auto& now) { now.confidence = 0.9; }), ElementsAre(HasSubstr("the confidence")));
+  EXPECT_THAT(changed([](auto& now) { now.asked.matches = 6; }), ElementsAre("matches: was 4, now 6"));
+  EXPECT_THAT(changed([](auto& now) { now.asked.seed = 8; }), ElementsAre("seed: was 7, now 8"));
+  EXPECT_THAT(changed([](auto& now) { now.asked.arms[1].name = "other"; }), ElementsAre(HasSubstr("arms.1.name: was")));
+  EXPECT_THAT(changed([](auto& now) { now.asked.primary->test = PairTest::sign_flip; }),
+              ElementsAre("primary.test: was paired_t, now sign_flip"));
+  EXPECT_THAT(changed([](auto& now) { now.asked.confidence = 0.9; }), ElementsAre("confidence: was 0.95, now 0.9"));
   EXPECT_THAT(changed([](auto& now) { now.measures.pop_back(); }), ElementsAre(HasSubstr("the measures: was")));
   EXPECT_THAT(changed([](auto& now) {
                 for (const std::size_t side : {0u, 1u}) {

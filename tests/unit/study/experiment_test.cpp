@@ -155,7 +155,7 @@ TEST(Experiment, ComparisonsAreTestedAtTheEndAloneAndCorrected) {
     before = std::max(before, std::min(1.0, sorted[rank] * static_cast<double>(3 - rank)));
     const auto at = static_cast<std::size_t>(std::find(p.begin(), p.end(), sorted[rank]) - p.begin());
     EXPECT_DOUBLE_EQ(found[at].adjusted.value(), before);
-    EXPECT_EQ(found[at].found, before <= 1.0 - plan.confidence);
+    EXPECT_EQ(found[at].found, before <= 1.0 - plan.asked.confidence);
   }
   for (const Finding& each : found) EXPECT_EQ(each.found, each.comparison.second == 2);
 }

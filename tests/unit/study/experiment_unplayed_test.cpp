@@ -66,7 +66,7 @@ TEST(ExperimentUnplayed, AFindingHoldsWithTheMostAdverseValuesAndSigns) {
   for (const PairTest test : {PairTest::paired_t, PairTest::sign_flip}) {
     for (unsigned seed = 0; seed < 150; ++seed) {
       ExperimentPlan plan = experiment_of(2, 1, 16);
-      plan.test = test;
+      plan.asked.primary->test = test;
       std::mt19937 random(seed);
       std::normal_distribution<double> noise(20.0, 1.0);
       Shown shown, without;

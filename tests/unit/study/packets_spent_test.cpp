@@ -61,7 +61,7 @@ TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
     if (by_openings)
       plan.openings = {{"corner.yaml", {}}};
     else
-      plan.common.limit = "30";
+      plan.asked.settings.limit = 30;
     Tournament course(plan);
     EXPECT_EQ(course.metrics(), campaign::Metrics::packets);
     const auto take = [&course](const campaign::Decided& decided) { course.take(&decided); };

@@ -16,7 +16,7 @@ class SetAsideTest : public testing::Test {
  protected:
   void begin(std::size_t teams, int in_a_row, std::uint64_t pairs = 1000) {
     plan = plan_of(teams, pairs);
-    plan.failures_in_a_row = in_a_row;
+    plan.asked.failures_in_a_row = in_a_row;
     course.emplace(plan);
   }
 
@@ -171,8 +171,8 @@ TEST_F(SetAsideTest, ItIsOverWhenNobodyIsLeftToPlayAgainst) {
 
 TEST_F(SetAsideTest, AGauntletIsOverWithoutItsFirstTeam) {
   plan = plan_of(3, 1000);
-  plan.format = Format::gauntlet;
-  plan.failures_in_a_row = 2;
+  plan.asked.format = config::Tournament::Format::gauntlet;
+  plan.asked.failures_in_a_row = 2;
   course.emplace(plan);
   EXPECT_TRUE(forfeited_by(0));
   EXPECT_FALSE(forfeited_by(0));

@@ -112,7 +112,7 @@ TEST(Tournament, ForfeitsFollowTheTeamAndNotTheSide) {
 
 TEST(Tournament, ForfeitsForOtherReasonsAreListedApart) {
   TournamentPlan plan = plan_of(2, 10);
-  plan.failures_in_a_row = 0;
+  plan.asked.failures_in_a_row = 0;
   Tournament course(plan);
   std::vector<campaign::Decided> matches(4, failed(0));
   matches[1] = failed(1, "other");
@@ -125,7 +125,7 @@ TEST(Tournament, ForfeitsForOtherReasonsAreListedApart) {
 
 TEST(Tournament, DoesNotGrowWithoutEnd) {
   TournamentPlan plan = plan_of(2, 1'000'000, ValueTest{"packets", 0.05});
-  plan.failures_in_a_row = 0;
+  plan.asked.failures_in_a_row = 0;
   Tournament course(plan);
   for (int i = 0; i < 150; ++i) {
     const campaign::Decided decided = failed(i % 2, "greedy", "reason " + std::to_string(i));

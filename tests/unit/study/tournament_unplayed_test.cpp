@@ -133,7 +133,7 @@ TEST(UnplayedPairs, CountNowhereAndLeaveTheirOtherMatchOut) {
 
 TEST(UnplayedPairs, TheirForfeitsAreNoneAndTheirMatchesSayNothingOfARow) {
   TournamentPlan plan = plan_of(2, 100);
-  plan.failures_in_a_row = 3;
+  plan.asked.failures_in_a_row = 3;
   Tournament course(plan);
   const campaign::Decided by_home = failed(0), by_away = failed(1), other = failed(0, "other"), none = unplayed();
   const auto pair = [&](const campaign::Decided& first, const campaign::Decided& second) {
@@ -160,7 +160,7 @@ TEST(UnplayedPairs, AVerdictIsThatOfAllThreeWaysToCountThem) {
     for (unsigned seed = 0; seed < 120; ++seed) {
       std::mt19937_64 random(seed);
       const Stream stream =
-          drawn(random, plan.pairs, static_cast<int>(seed % 5) - 2, std::array{0u, 6u, 40u}[seed % 3]);
+          drawn(random, plan.pairs(), static_cast<int>(seed % 5) - 2, std::array{0u, 6u, 40u}[seed % 3]);
       const End ended = play(plan, stream);
       // As far as it came: what comes later can change nothing.
       const Stream so_far(stream.begin(), stream.begin() + static_cast<std::ptrdiff_t>(ended.taken / 2));
@@ -190,7 +190,7 @@ TEST(UnplayedPairs, WhoLosesNoMatchThatCanBePlayedGetsNoVerdictItWouldNotGetByLo
   for (const TournamentPlan& plan : plans(200)) {
     for (unsigned seed = 0; seed < 40; ++seed) {
       std::mt19937_64 random(seed);
-      Stream stream = drawn(random, plan.pairs, -1, 0);
+      Stream stream = drawn(random, plan.pairs(), -1, 0);
       for (std::optional<Played>& pair : stream) {
         if (pair->goals[0] < 0 || pair->goals[1] < 0) pair.reset();
       }
@@ -198,7 +198,7 @@ TEST(UnplayedPairs, WhoLosesNoMatchThatCanBePlayedGetsNoVerdictItWouldNotGetByLo
                 unpunished = play(plan, without(stream));
       // Left out without a further thought they would make it the better one.
       if (unpunished.verdict == Verdict::accept_h1) ++tempting;
-      if (ended.verdict == Verdict::accept_h1 && (plan.objective.index() == 1 || ended.first_has_more)) {
+      if (ended.verdict == Verdict::accept_h1 && (plan.objective().index() == 1 || ended.first_has_more)) {
         EXPECT_EQ(lost.verdict, Verdict::accept_h1) << seed;
         EXPECT_EQ(lost.first_has_more, ended.first_has_more);
       }

@@ -63,10 +63,10 @@ std::vector<Parameter> all_parameters(const config::Node& team, const Declaratio
 TuningPlan plan_of(const fs::path& file, const std::vector<std::string>& settings, std::vector<Parameter> parameters,
                    const Declarations& plugins) {
   TuningPlan plan;
-  plan.team = file.string();
+  plan.asked.team = file.string();
   plan.settings = settings;
   plan.parameters = std::move(parameters);
-  config::Overrides overrides = settings;
+  config::Overrides overrides = config::typed_overrides(settings);
   for (const std::string& each : settings_of(plan, start_values(plan))) overrides.push_back(each);
   plan.document = config::show(config::load(file, overrides), plugins, config::Remarks::without);
   return plan;
@@ -75,10 +75,10 @@ TuningPlan plan_of(const fs::path& file, const std::vector<std::string>& setting
 // What a worker finds when it plays a match with these values.
 std::string resolved(const TuningPlan& plan, const ParameterValues& values, const Declarations& plugins,
                      const std::vector<std::string>& more = {}) {
-  config::Overrides overrides = plan.settings;
+  config::Overrides overrides = config::typed_overrides(plan.settings);
   for (const std::string& each : settings_of(plan, values)) overrides.push_back(each);
   overrides.insert(overrides.end(), more.begin(), more.end());
-  return config::show(config::load(plan.team, overrides), plugins, config::Remarks::without);
+  return config::show(config::load(plan.asked.team, overrides), plugins, config::Remarks::without);
 }
 
 ParameterValues random_values(const TuningPlan& plan, std::mt19937& random) {
@@ -113,7 +113,7 @@ class TunedDocuments : public testing::Test {
   // The file of the tuned team, beside which it is written or elsewhere, means the base team with these values.
   void expect_same_team(const TuningPlan& plan, const ParameterValues& values, const Declarations& plugins,
                         const fs::path& place) const {
-    const std::string base = fs::proximate(plan.team, place.parent_path()).string();
+    const std::string base = fs::proximate(plan.asked.team, place.parent_path()).string();
     const std::string text = tuned_team(plan, values, "the_tuned_one", base);
     const fs::path file = write(place.string(), text);
     std::string found;
@@ -274,7 +274,7 @@ class TunedTeamFiles : public TunedDocuments {
   void expect_same_under(const std::vector<std::string>& settings, std::vector<std::string> paths,
                          const std::string& page = awkward_team, const std::string& name = "base.yaml") {
     const fs::path team = write(name, page);
-    const std::vector<Parameter> all = all_parameters(config::load(team, settings), made_up());
+    const std::vector<Parameter> all = all_parameters(config::load(team, config::typed_overrides(settings)), made_up());
     std::vector<Parameter> chosen;
     for (const std::string& path : paths) {
       const auto found = std::ranges::find(all, path, &Parameter::path);
@@ -356,7 +356,7 @@ TEST_F(TunedTeamFiles, NamesOfFilesMayBeAnything) {
 TEST_F(TunedDocuments, ADamagedPlanIsRefused) {
   const auto refused = [](const std::string& document, const std::vector<std::string>& paths) {
     TuningPlan plan;
-    plan.team = "t";
+    plan.asked.team = "t";
     plan.document = document;
     for (const std::string& each : paths) plan.parameters.push_back({each, 1, 0, 2, false, false, "", ""});
     EXPECT_THROW(TunedDocument{plan}, std::invalid_argument) << document;

@@ -47,10 +47,10 @@ TuningPlan small(Algorithm algorithm = Algorithm::random_search) {
   plan.search_pairs = 24;
   plan.pairs = 2;
   plan.selection_pairs = 2;
-  plan.candidates = 2;
+  plan.asked.verification.candidates = 2;
   plan.verification_pairs = 6;
-  plan.slice_points = 3;
-  plan.slice_pairs = 2;
+  plan.asked.slices.points = 3;
+  plan.asked.slices.pairs = 2;
   return plan;
 }
 
@@ -98,7 +98,7 @@ TEST(Tune, TheSameRunTwiceIsTheSame) {
     EXPECT_EQ(told(a.tune()), told(b.tune())) << name(algorithm);
     EXPECT_EQ(a.matches.rows, b.matches.rows);
     TuningPlan other = small(algorithm);
-    other.seed = 8;
+    other.asked.seed = 8;
     Course c(other);
     EXPECT_NE(told(c.tune()), told(a.record));
   }
@@ -168,7 +168,7 @@ TEST(Tune, NoStageGoesBeyondItsBudget) {
     TuningPlan plan = small(static_cast<Algorithm>(which));
     for (const std::uint64_t pairs : {60u, 61u, 100u, 137u}) {
       plan.search_pairs = pairs;
-      if (plan.evaluations(plan.algorithm) <= least_evaluations(plan.algorithm, 2, 0)) continue;
+      if (plan.evaluations() <= least_evaluations(plan.algorithm(), 2, 0)) continue;
       Course run(plan);
       std::map<TuningStage, std::uint64_t> taken;
       run.hooks.play = [&run, &taken, play = run.hooks.play](const MatchList& list, const TakeMatch& take) {
@@ -177,10 +177,10 @@ TEST(Tune, NoStageGoesBeyondItsBudget) {
         taken[*run.record.stage] += run.matches.taken - before;
       };
       const TuningRecord& record = run.tune();
-      for (const auto& [stage, count] : taken) EXPECT_LE(count, most_matches(plan, stage)) << name(plan.algorithm);
+      for (const auto& [stage, count] : taken) EXPECT_LE(count, most_matches(plan, stage)) << name(plan.algorithm());
       EXPECT_LE(record.tally.matches, most_matches(plan));
       const auto fresh = std::ranges::count(record.trace, false, &SearchStep::repeated);
-      EXPECT_LE(static_cast<std::uint64_t>(fresh), plan.evaluations(plan.algorithm));
+      EXPECT_LE(static_cast<std::uint64_t>(fresh), plan.evaluations());
     }
   }
 }
@@ -224,7 +224,7 @@ TEST(Tune, ACandidateThatForfeitsIsWorthTheLeast) {
       plan.search_pairs = 200;
       Course run(plan, 0.5);
       run.matches.judge = [&plan](const campaign::Job& job, campaign::Decided& out) {
-        const std::size_t side = job.teams[0] == plan.team ? 0 : 1;
+        const std::size_t side = job.teams[0] == plan.asked.team ? 0 : 1;
         if (hill(said_values(job, side, 2)) > 1.5)
           out = campaign::forfeit({static_cast<int>(side), "x", "y", 1, 1, "died"}, 1.0);
       };
@@ -262,8 +262,8 @@ TEST(Tune, ACandidateThatForfeitsIsWorthTheLeast) {
 TEST(Tune, ACandidateThatForfeitsInTheVerificationIsNotBetter) {
   for (const bool head_to_head : {false, true}) {
     TuningPlan plan = tuning_of(1, 1);
-    plan.candidates = 1;
-    plan.head_to_head = head_to_head;
+    plan.asked.verification.candidates = 1;
+    if (head_to_head) plan.asked.verification.against = config::Tuning::Against::base;
     plan.verification_pairs = 200;
     Course run(plan, 0.5);
     int failures = 0;
@@ -316,7 +316,7 @@ TEST(Tune, MetricsThatAreMissingNowAndThen) {
   TuningPlan plan = small(Algorithm::spsa);
   plan.objective.terms = {{"packets", 1.0}};
   plan.pairs = 6;
-  plan.pairs_for_all = true;
+  plan.asked.search.pairs = static_cast<int>(plan.pairs);
   plan.search_pairs = 120;
   plan.verification_pairs = 60;
   Course run(plan);
@@ -337,7 +337,7 @@ TEST(Tune, FinalistsAreDifferentAndTheBestFirst) {
     Course run(plan);
     const TuningRecord& record = run.tune();
     ASSERT_FALSE(record.finalists.empty());
-    EXPECT_LE(record.finalists.size(), plan.finalists);
+    EXPECT_LE(record.finalists.size(), plan.finalists());
     std::set<ParameterValues> different;
     for (std::size_t i = 0; i < record.finalists.size(); ++i) {
       different.insert(record.finalists[i].values);
@@ -347,7 +347,7 @@ TEST(Tune, FinalistsAreDifferentAndTheBestFirst) {
       }
     }
     EXPECT_EQ(different.size(), record.finalists.size());
-    EXPECT_LE(record.candidates.size(), plan.candidates);
+    EXPECT_LE(record.candidates.size(), plan.candidates());
   }
 }
 
@@ -398,8 +398,8 @@ TEST(Tune, TheVerificationStopsWhenItIsDecided) {
   TuningPlan plan = tuning_of(1, 1);
   plan.search_pairs = 60;
   plan.verification_pairs = 2000;
-  plan.slice_points = 3;
-  plan.slice_pairs = 2;
+  plan.asked.slices.points = 3;
+  plan.asked.slices.pairs = 2;
   std::optional<std::uint64_t> at;
   for (int round = 0; round < 2; ++round) {
     Course run(plan, 1.0);
@@ -426,7 +426,7 @@ TEST(Tune, OutOfTimeEndsTheSearchWithWhatItHas) {
       EXPECT_FALSE(record.stage);
       EXPECT_FALSE(record.finalists.empty());
       // One question may have used up the budget.
-      const bool all = record.trace.size() == run.plan.evaluations(algorithm);
+      const bool all = record.trace.size() == run.plan.evaluations();
       EXPECT_EQ(record.ended.find("time") == std::string::npos, all) << record.ended;
       EXPECT_TRUE(last > 1 || record.trace.size() == 1);
       EXPECT_EQ(told(again.tune()), told(record));
@@ -437,8 +437,8 @@ TEST(Tune, OutOfTimeEndsTheSearchWithWhatItHas) {
 TEST(Tune, SlicesOfEveryFreeParameter) {
   TuningPlan plan = small();
   plan.parameters[1].least = plan.parameters[1].most = 0.5;
-  plan.slice_points = 5;
-  plan.slice_pairs = 20;
+  plan.asked.slices.points = 5;
+  plan.asked.slices.pairs = 20;
   Course run(plan, 0.5);
   const TuningRecord& record = run.tune();
   ASSERT_EQ(record.slices.size(), 1u);

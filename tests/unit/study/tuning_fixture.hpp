@@ -17,7 +17,6 @@
 #include "campaign/job.hpp"
 #include "campaign/metric_json.hpp"
 #include "plugin/content_hash.hpp"
-#include "study/tuning/search_comparison.hpp"
 #include "study/tuning/tuning.hpp"
 
 namespace regista::study {
@@ -26,10 +25,12 @@ namespace regista::study {
 inline TuningPlan tuning_of(std::size_t parameters, std::size_t opponents,
                             Algorithm algorithm = Algorithm::random_search) {
   TuningPlan plan;
-  plan.name = "trial";
-  plan.team = "base.yaml";
+  plan.asked.name = "trial";
+  plan.asked.team = "base.yaml";
   plan.document = "team: base\n";
+  plan.asked.slices.points = 0;
   for (std::size_t i = 0; i < parameters; ++i) {
+    plan.asked.parameters.push_back({fmt::format("p{}", i), std::nullopt, {}, {}});
     plan.parameters.push_back({fmt::format("p{}", i), 0.5, 0.0, 1.0, false, false, "1", "what it does"});
     plan.document += fmt::format("p{}: 0.5\n", i);
   }
@@ -40,7 +41,7 @@ inline TuningPlan tuning_of(std::size_t parameters, std::size_t opponents,
     out.weight = weight;
     for (const std::size_t side : {0u, 1u}) {
       campaign::Job& job = out.jobs[side];
-      job.teams[side] = plan.team;
+      job.teams[side] = plan.asked.team;
       job.teams[1 - side] = out.file;
       std::vector<campaign::Input>&own = side == 0 ? job.home_inputs : job.away_inputs,
       &other = side == 0 ? job.away_inputs : job.home_inputs;
@@ -53,16 +54,17 @@ inline TuningPlan tuning_of(std::size_t parameters, std::size_t opponents,
   };
   for (std::size_t i = 0; i < opponents; ++i) {
     plan.opponents.push_back(against(fmt::format("opponent {}", i), 1.0 / static_cast<double>(opponents)));
+    plan.asked.opponents.push_back({plan.opponents.back().file, 1.0, {}});
   }
   plan.base = against("the base team", 1.0);
   plan.objective.terms = {{"goal_difference", 1.0}};
   plan.most_goals = 10;
-  plan.seed = 7;
-  plan.algorithm = algorithm;
+  plan.asked.seed = 7;
+  plan.asked.search.algorithm = name(algorithm);
   plan.search_pairs = 40;
-  plan.finalists = 3;
+  plan.asked.selection.finalists = 3;
   plan.selection_pairs = 4;
-  plan.candidates = 1;
+  plan.asked.verification.candidates = 1;
   plan.verification_pairs = 30;
   return plan;
 }
@@ -194,15 +196,6 @@ inline std::string told(const TuningRecord& record) {
     out += fmt::format("slice {} {} {}\n", each.parameter, each.importance, each.p.value_or(-1.0));
     for (const SlicePoint& point : each.points)
       out += fmt::format("  {} {} {}\n", point.value, point.score.mean, point.difference.mean);
-  }
-  return out + told(record.tally);
-}
-
-inline std::string told(const SearchComparisonRecord& record) {
-  std::string out = fmt::format("{}\n", record.tally.matches);
-  for (const ComparedRun& each : record.runs) {
-    out += fmt::format("run {} {} {} {} {}{} {}\n", name(each.algorithm), each.repeat, each.evaluations, each.matches,
-                       words(each.values), each.judged.mean, each.ended);
   }
   return out + told(record.tally);
 }

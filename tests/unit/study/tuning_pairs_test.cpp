@@ -32,7 +32,7 @@ TEST(PairBatch, PairAfterPairEveryCandidateEveryOpponentHomeThenAway) {
   const TuningPlan plan = tuning_of(2, 3);
   const TunedDocument document(plan);
   const std::vector<ParameterValues> candidates{{0.25, 0.5}, {0.75, 1.0}};
-  const PairBatch batch(plan, document, candidates, {TuningStage::search, 0, plan.seed, 20, 4});
+  const PairBatch batch(plan, document, candidates, {TuningStage::search, plan.seed(), 20, 4});
   const MatchList& list = batch.list();
   ASSERT_EQ(list.matches.size(), 4u * 2 * 3 * 2);
   std::size_t index = 0;
@@ -41,8 +41,8 @@ TEST(PairBatch, PairAfterPairEveryCandidateEveryOpponentHomeThenAway) {
       for (const TuningOpponent& opponent : plan.opponents) {
         for (const std::size_t side : {0u, 1u}) {
           const campaign::Job job = list.job(index++);
-          EXPECT_EQ(job.seed, plan.seed + 20 + pair);
-          EXPECT_EQ(job.teams[side], plan.team);
+          EXPECT_EQ(job.seed, plan.seed() + 20 + pair);
+          EXPECT_EQ(job.teams[side], plan.asked.team);
           EXPECT_EQ(job.teams[1 - side], opponent.file);
           EXPECT_EQ(said_values(job, side, 2), values);
           EXPECT_EQ(said_values(job, 1 - side, 2), (ParameterValues{0.5, 0.5}));
@@ -83,28 +83,25 @@ TEST(PairBatch, OverridesAndInputs) {
 TEST(PairBatch, EqualMatchesHaveEqualKeys) {
   const TuningPlan plan = tuning_of(2, 2);
   const TunedDocument document(plan);
-  const PairBatch alone(plan, document, {{0.125, 1.0}}, {TuningStage::search, 0, plan.seed, 3, 2});
-  const PairBatch among(plan, document, {{0.5, 0.5}, {0.125, 1.0}}, {TuningStage::selection, 0, plan.seed, 0, 2});
+  const PairBatch alone(plan, document, {{0.125, 1.0}}, {TuningStage::search, plan.seed(), 3, 2});
+  const PairBatch among(plan, document, {{0.5, 0.5}, {0.125, 1.0}}, {TuningStage::selection, plan.seed(), 0, 2});
   for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(alone.list().fixtures[i].key, among.list().fixtures[4 + i].key);
 }
 
-TEST(PairBatch, SeedsOfStagesRepeatsAndPairsAreDifferent) {
+TEST(PairBatch, SeedsOfStagesAndPairsAreDifferent) {
   std::map<std::uint64_t, std::string> seen;
   for (const TuningStage stage :
        {TuningStage::search, TuningStage::selection, TuningStage::verification, TuningStage::slices}) {
-    for (const std::uint64_t repeat : {0u, 1u, 2u, 1023u}) {
-      for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{100}, std::uint64_t{1} << 31}) {
-        const PairRange range{stage, repeat, (std::uint64_t{1} << 31) - 1, first, 100};
-        for (std::uint64_t pair = 0; pair < range.count; ++pair) {
-          const auto [at, fresh] = seen.emplace(range.seed(pair), "");
-          ASSERT_TRUE(fresh) << name(stage) << ' ' << repeat << ' ' << first << ' ' << pair;
-        }
+    for (const std::uint64_t first : {std::uint64_t{0}, std::uint64_t{100}, std::uint64_t{1} << 31}) {
+      const PairRange range{stage, (std::uint64_t{1} << 31) - 1, first, 100};
+      for (std::uint64_t pair = 0; pair < range.count; ++pair) {
+        const auto [at, fresh] = seen.emplace(range.seed(pair), "");
+        ASSERT_TRUE(fresh) << name(stage) << ' ' << first << ' ' << pair;
       }
     }
   }
   // As the plan says it.
-  EXPECT_EQ((PairRange{TuningStage::verification, 3, 7, 5, 10}.seed(2)),
-            2 * (std::uint64_t{1} << 50) + 3 * (std::uint64_t{1} << 40) + 7 + 5 + 2);
+  EXPECT_EQ((PairRange{TuningStage::verification, 7, 5, 10}.seed(2)), 2 * (std::uint64_t{1} << 50) + 7 + 5 + 2);
 }
 
 TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
@@ -112,7 +109,7 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
   for (int i = 0; i < 5; ++i)
     plan.openings.push_back({fmt::format("{}.yaml", i), {fmt::format("scene {}", i), fmt::format("{}", i)}});
   const TunedDocument document(plan);
-  const PairBatch search(plan, document, {{0.5}, {0.6}}, {TuningStage::search, 0, 7, 3, 4});
+  const PairBatch search(plan, document, {{0.5}, {0.6}}, {TuningStage::search, 7, 3, 4});
   EXPECT_EQ(search.list().fixtures.size(), 2u * 2 * 2 * 4);
   for (std::size_t index = 0; index < search.list().matches.size(); ++index) {
     const campaign::Job job = search.list().job(index);
@@ -121,7 +118,7 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
     EXPECT_EQ(job.common_inputs.back(), plan.openings[scene].input);
     EXPECT_EQ(job.common_inputs.size(), 2u);
   }
-  const PairRange range{TuningStage::verification, 0, 7, 0, 300};
+  const PairRange range{TuningStage::verification, 7, 0, 300};
   const PairBatch verification(plan, document, {{0.5}}, range);
   std::map<std::string, int> counts;
   for (std::size_t index = 0; index < verification.list().matches.size(); ++index) {
@@ -132,7 +129,7 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
   ASSERT_EQ(counts.size(), 5u);
   for (const auto& [scene, count] : counts) EXPECT_NEAR(count, 240, 80) << scene;
   // Only scenes that are used have fixtures.
-  const PairBatch two(plan, document, {{0.5}}, {TuningStage::search, 0, 7, 1, 2});
+  const PairBatch two(plan, document, {{0.5}}, {TuningStage::search, 7, 1, 2});
   EXPECT_EQ(two.list().fixtures.size(), 2u * 2 * 2);
   for (const auto& each : two.list().fixtures)
     EXPECT_TRUE(each.job.opening == "1.yaml" || each.job.opening == "2.yaml");
@@ -146,7 +143,7 @@ class Scores : public testing::Test {
   std::vector<double> of(const std::vector<campaign::Decided>& matches, bool head_to_head = false) {
     const TunedDocument document(plan);
     const std::size_t each = 2 * (head_to_head ? 1 : plan.opponents.size());
-    PairBatch batch(plan, document, {{0.25}}, {TuningStage::search, 0, 7, 0, matches.size() / each}, head_to_head);
+    PairBatch batch(plan, document, {{0.25}}, {TuningStage::search, 7, 0, matches.size() / each}, head_to_head);
     forfeits.emplace(plan.opponents.size() + 2);
     for (std::size_t i = 0; i < matches.size(); ++i) {
       EXPECT_EQ(batch.take(matches[i], *forfeits, remarks), (i + 1) % each == 0);

@@ -20,53 +20,73 @@ using testing::IsEmpty;
 
 TuningPlan every_value() {
   TuningPlan plan = tuning_of(3, 2, Algorithm::spsa);
-  plan.question = "Is it \"better\"?\n";
-  plan.settings = {"tasks.keep=all"};
+  config::Tuning& asked = plan.asked;
+  asked.question = "Is it \"better\"?";
+  asked.settings.set = config::Node::map({{"tasks.keep", {}, config::Node::scalar("all", false, {})}}, {});
+  asked.objective.minimise = {{"points", 10.0, {}}, {"striker.overlap_seconds", -0.1, {}}};
+  asked.seed = 12345;
+  asked.search.pairs = 3;
+  asked.search.minutes = 2.5;
+  asked.search.population = 11;
+  asked.selection.finalists = 6;
+  asked.verification.candidates = 2;
+  asked.verification.against = config::Tuning::Against::base;
+  asked.verification.confidence = 0.99;
+  asked.slices = {5, 4, {}};
+  asked.settings.limits.processor_seconds = 3;
+  asked.settings.limits.memory = 1024;
+  asked.settings.rules = "rules.yaml";
+  asked.settings.limit = 12.5;
+  asked.opponent_disturbance = "noise.yaml";
   plan.parameters[1].integer = true;
   plan.parameters[1].most = 9.0;
   plan.parameters[2].log_scale = true;
   plan.parameters[2].least = 1.0 / 3.0;
-  plan.objective = {{{"points", 10.0}, {"striker.overlap_seconds", -0.1}}, true};
   plan.openings = {{"scene.yaml", {"scene", "hash"}}, {"other.yaml", {"other", "hash 2"}}};
   plan.most_goals = 9;
-  plan.seed = 12345;
   plan.search_pairs = 77;
   plan.pairs = 3;
-  plan.pairs_for_all = true;
-  plan.minutes = 2.5;
-  plan.population = 11;
-  plan.finalists = 6;
   plan.selection_pairs = 8;
-  plan.candidates = 2;
-  plan.head_to_head = true;
   plan.verification_pairs = 99;
-  plan.confidence = 0.99;
-  plan.slice_points = 5;
-  plan.slice_pairs = 4;
-  plan.limits.processor_seconds = 3;
-  plan.limits.memory = std::uint64_t{1} << 30;
   plan.folder = "/tmp";
-  plan.file = "t.yaml";
-  plan.overrides = {"search.matches=10"};
-  plan.opponents[0].jobs[0].overrides = {"home.tasks.keep=all"};
+  plan.plugins = {"plugins"};
+  plan.program = "1.2";
+  complete(plan);
   return plan;
 }
 
 TEST(TuningPlan, IsReadAsItWasWritten) {
-  for (const TuningPlan& plan : {every_value(), tuning_of(1, 1), tuning_of(5, 4, Algorithm::bobyqa)}) {
+  for (TuningPlan plan : {every_value(), tuning_of(1, 1), tuning_of(5, 4, Algorithm::bobyqa)}) {
+    complete(plan);
     const TuningPlan read = tuning_plan_from_json(to_json(plan));
     EXPECT_EQ(to_json(read), to_json(plan));
     EXPECT_THAT(differences(plan, read), IsEmpty());
     EXPECT_EQ(read.parameters, plan.parameters);
     EXPECT_EQ(read.document, plan.document);
-    EXPECT_EQ(read.minutes, plan.minutes);
+    EXPECT_EQ(read.asked.search.minutes, plan.asked.search.minutes);
     EXPECT_EQ(read.objective, plan.objective);
+    EXPECT_EQ(read.settings, plan.settings);
+    EXPECT_EQ(read.program, plan.program);
     for (std::size_t i = 0; i < plan.opponents.size(); ++i) {
       EXPECT_EQ(read.opponents[i].jobs, plan.opponents[i].jobs);
       EXPECT_EQ(read.opponents[i].weight, plan.opponents[i].weight);
     }
     EXPECT_EQ(read.base.jobs, plan.base.jobs);
   }
+}
+
+// What is set for the tuned team is set for the base team as well where that is its opponent.
+TEST(TuningPlan, JobsAreAsTheyAreAskedFor) {
+  const TuningPlan plan = every_value();
+  const campaign::Job& away = plan.opponents[1].jobs[1];
+  EXPECT_EQ(away.teams, (std::array<std::string, 2>{"opponent 1.yaml", "base.yaml"}));
+  EXPECT_EQ(away.overrides, std::vector<std::string>{"away.tasks.keep=all"});
+  EXPECT_EQ(away.home_disturbance + away.away_disturbance + away.rules + away.limit, "noise.yamlrules.yaml12.5");
+  EXPECT_EQ(plan.base.jobs[0].overrides, (std::vector<std::string>{"home.tasks.keep=all", "away.tasks.keep=all"}));
+  EXPECT_EQ(plan.base.jobs[0].away_disturbance, "");
+  EXPECT_EQ(plan.settings, std::vector<std::string>{"tasks.keep=all"});
+  EXPECT_EQ(plan.opponents[0].weight, 0.5);
+  EXPECT_TRUE(plan.objective.minimise);
 }
 
 TEST(TuningPlan, NamesThatAreNoTextAreWrittenAllTheSame) {
@@ -90,11 +110,10 @@ void try_plan(const std::string& text) {
     most_matches(plan);
     differences(plan, plan);
     EXPECT_GE(plan.free_parameters(), 1u);
-    EXPECT_GE(plan.finalists, 1u);
-    EXPECT_GE(plan.candidates, 1u);
-    EXPECT_GT(plan.evaluations(plan.algorithm),
-              least_evaluations(plan.algorithm, plan.free_parameters(),
-                                has_population(plan.algorithm) ? plan.population : 0));
+    EXPECT_GE(plan.finalists(), 1u);
+    EXPECT_GE(plan.candidates(), 1u);
+    EXPECT_GT(plan.evaluations(), least_evaluations(plan.algorithm(), plan.free_parameters(),
+                                                    has_population(plan.algorithm()) ? plan.population() : 0));
     values_of(plan, point_of(plan, start_values(plan)));
     TunedDocument(plan).with(start_values(plan));
   } catch (const std::invalid_argument&) {
@@ -157,11 +176,7 @@ TEST(TuningPlan, AnyValueMayBeAnother) {
     }
     Json damaged = whole;
     Json& parent = damaged[Json::json_pointer(place).parent_pointer()];
-    // A job may leave out some of its own.
-    const bool of_job = place.find("/home/") != std::string::npos || place.find("/away/") != std::string::npos;
-    // Results of before know none.
-    const bool new_one = place.ends_with("/match_wall_seconds");
-    if (!parent.is_object() || of_job || new_one) continue;
+    if (!parent.is_object() || place == "/program") continue;
     parent.erase(Json::json_pointer(place).back());
     EXPECT_THROW(tuning_plan_from_json(damaged.dump()), std::invalid_argument) << "without " << place;
   }
@@ -181,21 +196,21 @@ TEST(TuningPlan, NumbersThatNoTuningHasAreRefused) {
   refused("start outside", [](TuningPlan& p) { p.parameters[0].start = 2.0; });
   refused("logarithm of nothing", [](TuningPlan& p) { p.parameters[2].least = 0.0; });
   refused("no opponent", [](TuningPlan& p) { p.opponents.clear(); });
-  refused("opponents without weight", [](TuningPlan& p) { p.opponents[0].weight = 0.0; });
-  refused("opponents of any weight", [](TuningPlan& p) { p.opponents[0].weight = 5.0; });
-  refused("no objective", [](TuningPlan& p) { p.objective.terms.clear(); });
+  refused("an opponent that nobody asked for", [](TuningPlan& p) { p.asked.opponents.pop_back(); });
+  refused("opponents without weight", [](TuningPlan& p) { p.asked.opponents[0].weight = 0.0; });
+  refused("no algorithm", [](TuningPlan& p) { p.asked.search.algorithm = "dreams"; });
   refused("no goals", [](TuningPlan& p) { p.most_goals = 0; });
   refused("no pairs", [](TuningPlan& p) { p.pairs = 0; });
-  refused("no finalists", [](TuningPlan& p) { p.finalists = p.candidates = 0; });
-  refused("no candidates", [](TuningPlan& p) { p.candidates = 0; });
-  refused("more candidates", [](TuningPlan& p) { p.candidates = p.finalists + 1; });
-  refused("many finalists", [](TuningPlan& p) { p.finalists = std::uint64_t{1} << 40; });
-  refused("many slices", [](TuningPlan& p) { p.slice_points = std::uint64_t{1} << 40; });
-  refused("large population", [](TuningPlan& p) { p.population = std::uint64_t{1} << 40; });
+  refused("no finalists", [](TuningPlan& p) { p.asked.selection.finalists = p.asked.verification.candidates = 0; });
+  refused("no candidates", [](TuningPlan& p) { p.asked.verification.candidates = 0; });
+  refused("more candidates", [](TuningPlan& p) { p.asked.verification.candidates = 7; });
+  refused("many finalists", [](TuningPlan& p) { p.asked.selection.finalists = 1 << 30; });
+  refused("many slices", [](TuningPlan& p) { p.asked.slices.points = 1 << 30; });
+  refused("large population", [](TuningPlan& p) { p.asked.search.population = 1 << 30; });
   refused("search too short", [](TuningPlan& p) { p.search_pairs = p.pairs; });
   refused("search too long", [](TuningPlan& p) { p.search_pairs = std::uint64_t{1} << 40; });
-  refused("confidence", [](TuningPlan& p) { p.confidence = 1.0; });
-  refused("seed", [](TuningPlan& p) { p.seed = std::uint64_t{1} << 32; });
+  refused("confidence", [](TuningPlan& p) { p.asked.verification.confidence = 1.0; });
+  refused("seed", [](TuningPlan& p) { p.asked.seed = -1; });
 }
 
 TEST(TuningPlan, WhatHasChangedIsNamed) {
@@ -206,34 +221,35 @@ TEST(TuningPlan, WhatHasChangedIsNamed) {
     EXPECT_THAT(differences(before, now), Contains(HasSubstr(named)));
     EXPECT_EQ(differences(now, now).size(), 0u);
   };
-  changed("the tuning: was trial, now other", [](TuningPlan& p) { p.name = "other"; });
+  changed("tuning: was trial, now other", [](TuningPlan& p) { p.asked.name = "other"; });
   changed("the parameters", [](TuningPlan& p) { p.parameters.pop_back(); });
   changed("the parameters", [](TuningPlan& p) { p.parameters[0].most = 0.99; });
   changed("the parameters", [](TuningPlan& p) { p.parameters[0].start = 0.51; });
   changed("the parameters", [](TuningPlan& p) { p.parameters[0].log_scale = true; });
   changed("the parameters", [](TuningPlan& p) { p.parameters[1].integer = false; });
-  changed("the opponents", [](TuningPlan& p) { p.opponents.pop_back(); });
-  changed("the opponents", [](TuningPlan& p) { p.opponents[0].weight = 0.5001; });
-  changed("the objective: was minimise 10 points - 0.1 striker.overlap_seconds, now maximise",
-          [](TuningPlan& p) { p.objective.minimise = false; });
-  changed("the objective", [](TuningPlan& p) { p.objective.terms[0].weight = 10.000001; });
-  changed("the algorithm: was spsa, now bobyqa", [](TuningPlan& p) { p.algorithm = Algorithm::bobyqa; });
-  changed("the seed: was 12345, now 1", [](TuningPlan& p) { p.seed = 1; });
+  changed("the number of opponents: was 2, now 1", [](TuningPlan& p) { p.asked.opponents.pop_back(); });
+  changed("opponents.0.weight: was 1, now 0.5", [](TuningPlan& p) { p.asked.opponents[0].weight = 0.5; });
+  changed("objective.minimise", [](TuningPlan& p) { p.asked.objective.minimise[0].weight = 10.000001; });
+  changed("objective.maximise.points: was none, now 10",
+          [](TuningPlan& p) { std::swap(p.asked.objective.maximise, p.asked.objective.minimise); });
+  changed("search.algorithm: was spsa, now bobyqa", [](TuningPlan& p) { p.asked.search.algorithm = "bobyqa"; });
+  changed("seed: was 12345, now 1", [](TuningPlan& p) { p.asked.seed = 1; });
   changed("pairs of the search", [](TuningPlan& p) { p.search_pairs = 76; });
   changed("pairs for each evaluation", [](TuningPlan& p) { p.pairs = 4; });
-  changed("pairs for each evaluation", [](TuningPlan& p) { p.pairs_for_all = false; });
-  changed("the minutes", [](TuningPlan& p) { p.minutes.reset(); });
-  changed("the population", [](TuningPlan& p) { p.population = 12; });
-  changed("the finalists", [](TuningPlan& p) { p.finalists = 5; });
+  changed("search.pairs: was 3, now none", [](TuningPlan& p) { p.asked.search.pairs.reset(); });
+  changed("search.minutes: was 2.5, now none", [](TuningPlan& p) { p.asked.search.minutes.reset(); });
+  changed("search.population: was 11, now 12", [](TuningPlan& p) { p.asked.search.population = 12; });
+  changed("selection.finalists: was 6, now 5", [](TuningPlan& p) { p.asked.selection.finalists = 5; });
   changed("pairs of the selection", [](TuningPlan& p) { p.selection_pairs = 9; });
-  changed("the candidates", [](TuningPlan& p) { p.candidates = 1; });
-  changed("verification.against: was base, now opponents", [](TuningPlan& p) { p.head_to_head = false; });
+  changed("verification.candidates: was 2, now 1", [](TuningPlan& p) { p.asked.verification.candidates = 1; });
+  changed("verification.against: was base, now opponents",
+          [](TuningPlan& p) { p.asked.verification.against = config::Tuning::Against::opponents; });
   changed("pairs of the verification", [](TuningPlan& p) { p.verification_pairs = 98; });
-  changed("the confidence: was 0.99, now 0.95", [](TuningPlan& p) { p.confidence = 0.95; });
-  changed("points of the slices", [](TuningPlan& p) { p.slice_points = 6; });
-  changed("pairs of the slices", [](TuningPlan& p) { p.slice_pairs = 5; });
-  changed("--processor-seconds: was 3, now 4", [](TuningPlan& p) { p.limits.processor_seconds = 4; });
-  changed("--memory", [](TuningPlan& p) { p.limits.memory = std::uint64_t{2} << 30; });
+  changed("verification.confidence: was 0.99, now 0.95", [](TuningPlan& p) { p.asked.verification.confidence = 0.95; });
+  changed("slices.points: was 5, now 6", [](TuningPlan& p) { p.asked.slices.points = 6; });
+  changed("limits.processor_seconds: was 3, now 4",
+          [](TuningPlan& p) { p.asked.settings.limits.processor_seconds = 4; });
+  changed("limits.memory: was 1024, now 2048", [](TuningPlan& p) { p.asked.settings.limits.memory = 2048; });
   changed("the team: team base has changed",
           [](TuningPlan& p) { p.opponents[1].jobs[0].home_inputs[0].hash = "other"; });
   changed("opponent 1: team opponent 1 has changed",
@@ -245,6 +261,18 @@ TEST(TuningPlan, WhatHasChangedIsNamed) {
   });
   changed("scene has changed", [](TuningPlan& p) { p.openings[0].input.hash = "other"; });
   changed("another order", [](TuningPlan& p) { std::swap(p.openings[0], p.openings[1]); });
+}
+
+// How matches are played, and what people call files, changes nothing that is found.
+TEST(TuningPlan, WhatDecidesNothingIsNoChange) {
+  TuningPlan now = every_value();
+  now.asked.question = "Another?";
+  now.asked.settings.isolation = config::Isolation::always;
+  now.asked.settings.play_twice = false;
+  now.asked.settings.limits.match_seconds = 5;
+  now.asked.settings.rules = "elsewhere.yaml";
+  now.folder = "/elsewhere";
+  EXPECT_THAT(differences(every_value(), now), IsEmpty());
 }
 
 TEST(TuningPlan, PointsAndValues) {
@@ -264,20 +292,22 @@ TEST(TuningPlan, Budget) {
   TuningPlan plan = tuning_of(3, 2, Algorithm::sbplx);
   plan.search_pairs = 41;
   plan.pairs = 4;
-  EXPECT_EQ(plan.evaluations(Algorithm::sbplx), 10u);
-  EXPECT_EQ(plan.evaluations(Algorithm::spsa), 41u);
+  EXPECT_EQ(plan.evaluations(), 10u);
+  EXPECT_EQ(tuning_of(3, 2, Algorithm::spsa).evaluations(), 40u);
   EXPECT_EQ(most_matches(plan, TuningStage::search), 160u);
   EXPECT_EQ(most_matches(plan, TuningStage::selection), 3u * 4 * 4);
   EXPECT_EQ(most_matches(plan, TuningStage::verification), 30u * 2 * 4);
   EXPECT_EQ(most_matches(plan, TuningStage::slices), 0u);
-  plan.slice_points = 5;
-  plan.slice_pairs = 2;
+  plan.asked.slices.points = 5;
+  plan.asked.slices.pairs = 2;
   EXPECT_EQ(most_matches(plan, TuningStage::slices), 16u * 2 * 4);
-  plan.head_to_head = true;
-  plan.candidates = 2;
+  plan.asked.verification.against = config::Tuning::Against::base;
+  plan.asked.verification.candidates = 2;
   EXPECT_EQ(most_matches(plan, TuningStage::verification), 30u * 2 * 2);
-  plan.pairs_for_all = true;
-  EXPECT_EQ(plan.evaluations(Algorithm::spsa), 10u);
+  plan.asked.search.algorithm = "spsa";
+  EXPECT_EQ(plan.evaluations(), 41u);
+  plan.asked.search.pairs = 4;
+  EXPECT_EQ(plan.evaluations(), 10u);
 }
 
 TEST(TuningPlan, BoundsOfScores) {

@@ -48,7 +48,7 @@ TEST(MatchTally, BatchesFollowEachOther) {
   Source of(tuning_of(1, 2));
   const MatchSource source = of.source();
   for (const std::uint64_t first : {0u, 12u}) {
-    PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::search, 0, 1, first, 3});
+    PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::search, 1, first, 3});
     play_batch(source, batch);
     EXPECT_EQ(batch.list().first_row, first);
     EXPECT_EQ(batch.pairs(), 3u);
@@ -58,7 +58,7 @@ TEST(MatchTally, BatchesFollowEachOther) {
 
 TEST(MatchTally, AfterAPairItMayBeEnough) {
   Source of(tuning_of(1, 2));
-  PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::verification, 0, 1, 0, 5});
+  PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::verification, 1, 0, 5});
   play_batch(of.source(), batch, [&] { return batch.pairs() < 2; });
   EXPECT_EQ(batch.pairs(), 2u);
   EXPECT_EQ(of.matches.played, 8u);
@@ -69,7 +69,7 @@ TEST(PlayedScore, WithoutANumberItIsTheWorst) {
   TuningPlan plan = tuning_of(1, 1);
   plan.objective.terms = {{"no_such_number", 1.0}};
   Source of(plan);
-  PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::search, 0, 1, 0, 2});
+  PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::search, 1, 0, 2});
   play_batch(of.source(), batch);
   EXPECT_EQ(played_score(of.plan, batch, 0, HUGE_VAL).counted, 0.0);
   EXPECT_EQ(played_score(of.plan, batch, 0, -3.0).counted, -3.0);
@@ -83,17 +83,17 @@ TEST(SearchOverPairs, KeepsWhatEverySetOfPairsSaid) {
   plan.search_pairs = 80;
   Source of(plan);
   std::vector<SearchStep> steps;
-  const SearchFindings found = search_over_pairs(of.source(), Algorithm::sbplx, 0, {}, steps);
+  const SearchFindings found = search_over_pairs(of.source(), {}, steps);
   ASSERT_GT(steps.size(), 2u);
   double worst = HUGE_VAL;
   for (const SearchStep& each : steps) {
-    const auto seen = seen_in_search(found.scores, each.values, plan.confidence);
+    const auto seen = seen_in_search(found.scores, each.values, plan.confidence());
     ASSERT_TRUE(seen);
     EXPECT_EQ(seen->score.mean, each.played.score.mean);  // its one set of pairs
     for (const double score : found.scores.at({each.values, 0}).scores) worst = std::min(worst, score);
   }
   EXPECT_EQ(found.worst, worst);
-  EXPECT_FALSE(seen_in_search(found.scores, {0.123}, plan.confidence));
+  EXPECT_FALSE(seen_in_search(found.scores, {0.123}, plan.confidence()));
   EXPECT_LE(steps.back().matches, plan.search_pairs * plan.matches_of_pair());
 }
 
@@ -105,7 +105,7 @@ TEST(SearchOverPairs, OutOfTimeIsAskedBeforeEveryQuestionButTheFirst) {
     asked.push_back(evaluations);
     return evaluations >= 3;
   };
-  const SearchFindings found = search_over_pairs(of.source(), Algorithm::spsa, 0, out_of_time, steps);
+  const SearchFindings found = search_over_pairs(of.source(), out_of_time, steps);
   EXPECT_EQ(found.ended, "its time was up");
   EXPECT_THAT(asked, ElementsAre(1, 3));
   EXPECT_EQ(steps.size(), 3u);
@@ -113,18 +113,18 @@ TEST(SearchOverPairs, OutOfTimeIsAskedBeforeEveryQuestionButTheFirst) {
 
 TEST(Selection, CandidatesAreThoseBeforeTheBaseTeam) {
   TuningPlan plan = tuning_of(1, 1);
-  plan.candidates = 3;
+  plan.asked.verification.candidates = 3;
   const Finalist a{{0.7}, {}, scored(3.0)}, base{{0.5}, {}, scored(2.0)}, c{{0.6}, {}, scored(1.0)};
   EXPECT_THAT(candidates_among(plan, {a, base, c}), ElementsAre(0u));
   EXPECT_THAT(candidates_among(plan, {base, a, c}), IsEmpty());
   EXPECT_THAT(candidates_among(plan, {a, c, base}), ElementsAre(0u, 1u));
-  plan.candidates = 1;
+  plan.asked.verification.candidates = 1;
   EXPECT_THAT(candidates_among(plan, {a, c, base}), ElementsAre(0u));
 }
 
 TEST(Selection, FinalistsAreDifferentAndInTheOrderOfTheSelection) {
   TuningPlan plan = tuning_of(1, 1);
-  plan.finalists = 3;
+  plan.asked.selection.finalists = 3;
   plan.selection_pairs = 40;
   Source of(plan, 0.1);
   SearchFindings found;
@@ -157,9 +157,9 @@ TEST(DrawnSeed, IsAnotherForEverythingThatWasChosen) {
   EXPECT_LT(first, std::uint64_t{1} << 31);
   EXPECT_NE(first, drawn(plan, {{0.75}}));
   EXPECT_NE(first, drawn(plan, {{0.25}, {0.75}}));
-  plan.seed = 8;
+  plan.asked.seed = 8;
   EXPECT_NE(first, drawn(plan, {{0.25}}));
-  plan.seed = 7;
+  plan.asked.seed = 7;
   plan.opponents[1].jobs[0].away_inputs[0].hash = "other";
   EXPECT_NE(first, drawn(plan, {{0.25}}));
 }
@@ -167,7 +167,7 @@ TEST(DrawnSeed, IsAnotherForEverythingThatWasChosen) {
 TEST(VerifyCandidates, StopsWhenAllAreDecided) {
   TuningPlan plan = tuning_of(1, 1);
   plan.verification_pairs = 2000;
-  plan.candidates = 2;
+  plan.asked.verification.candidates = 2;
   Source of(plan);
   TuningRecord record(plan);
   record.finalists = {{{1.0}, {}, scored(2.0)}, {{0.9}, {}, scored(1.0)}};
@@ -191,8 +191,8 @@ TEST(SlicesAround, ThereAreNoneWhereNoneAreWanted) {
 
 TEST(SlicesAround, TheMostImportantParameterIsFirst) {
   TuningPlan plan = tuning_of(2, 1);
-  plan.slice_points = 5;
-  plan.slice_pairs = 20;
+  plan.asked.slices.points = 5;
+  plan.asked.slices.pairs = 20;
   Source of(plan);
   const std::vector<Slice> slices = slices_around(of.source(), {0.5, 0.5});
   ASSERT_EQ(slices.size(), 2u);

@@ -144,14 +144,14 @@ TEST(Verification, NoCandidatesNeedNothing) {
 
 TEST(Slices, ValuesAreSpreadDifferentAndNotTheTunedOne) {
   TuningPlan plan = tuning_of(2, 1);
-  plan.slice_points = 5;
+  plan.asked.slices.points = 5;
   EXPECT_EQ(slice_values(plan, {0.3, 0.5}, 0), (std::vector{0.0, 0.25, 0.5, 0.75, 1.0}));
   EXPECT_EQ(slice_values(plan, {0.3, 0.5}, 1), (std::vector{0.0, 0.25, 0.75, 1.0}));
   plan.parameters[0] = {"p0", 1.0, 0.0, 2.0, true, false, "", ""};
   EXPECT_EQ(slice_values(plan, {1.0, 0.5}, 0), (std::vector{0.0, 2.0}));
   plan.parameters[0] = {"p0", 1.0, 0.01, 100.0, false, true, "", ""};
   EXPECT_EQ(slice_values(plan, {3.0, 0.5}, 0), (std::vector{0.01, 0.1, 1.0, 10.0, 100.0}));
-  plan.slice_points = 1;
+  plan.asked.slices.points = 1;
   EXPECT_EQ(slice_values(plan, {0.3, 0.25}, 1), (std::vector{0.5}));
 }
 

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// What was played: with it the report of every study begins, whether as text, as JSON or as a page. Who played, under
+// which rules, with which robots and disturbances, what from and how long, how often, and by which program; and the
+// study's whole document, from which it can be played again.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "campaign/input.hpp"
+#include "config/match_settings.hpp"
+#include "report/html.hpp"
+
+namespace regista::report {
+
+// A document that was played by. file: empty where it is built in.
+struct PlayedProfile {
+  std::string name, file;
+};
+
+struct PlayedTeam {
+  std::string name, file;
+  std::string version;  // of everything that it brings along: eight digits
+  PlayedProfile disturbance;
+  std::vector<std::string> set;         // "path=value", for it alone
+  std::vector<campaign::Input> inputs;  // campaign::team_inputs
+};
+
+struct WhatWasPlayed {
+  std::vector<PlayedTeam> teams;  // in the order of the study
+  PlayedProfile rules, robot;
+  std::vector<std::string> set;         // "path=value", of all matches
+  std::string games;                    // "whole matches from kick-off"
+  std::string amount;                   // "100 pairs of each pairing, seeds from 1"
+  std::string limits;                   // of processes
+  std::string program;                  // version that began it; empty: not known
+  std::string folder;                   // in which it was begun
+  std::vector<std::string> plugins;     // folders of --plugins
+  std::vector<campaign::Input> inputs;  // everything, each once
+  std::string document;                 // of the study, every value that is in force
+};
+
+// All that does not depend on which study it is. common: inputs that all matches have; openings: of each scene.
+WhatWasPlayed what_was_played(const config::MatchSettings& settings, std::span<const campaign::Input> common,
+                              std::span<const campaign::Input> openings);
+
+// The profile of these inputs whose name begins so, "home disturbance": its own name, and its file.
+PlayedProfile profile_of(std::span<const campaign::Input> inputs, std::string_view kind, const std::string& file);
+
+// A team with its inputs, and the eight digits that they make.
+PlayedTeam played_team(std::string name, std::string file, std::vector<campaign::Input> inputs,
+                       PlayedProfile disturbance);
+
+std::string played_text(const WhatWasPlayed& played);  // lines, each ended
+nlohmann::ordered_json played_json(const WhatWasPlayed& played);
+Html played_section(const WhatWasPlayed& played);
+
+// What playing it again needs besides.
+struct PlayedResults {
+  std::string file;         // of results, as seen from the page
+  std::string program;      // version that began it
+  std::string fingerprint;  // of all matches; empty: none
+  std::string note;         // one more sentence; may be empty
+};
+Html again_section(const WhatWasPlayed& played, const PlayedResults& results);
+
+}  // namespace regista::report
