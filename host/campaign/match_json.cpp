@@ -20,7 +20,7 @@ match::MetricNumbers numbers_of(const PlayedMatch& match, std::span<const match:
   return match::metric_numbers(table, {match.result, match.packets_share}, match.role_names);
 }
 
-std::string summary_json(const PlayedMatch& match, std::span<const match::MetricRow> table) {
+nlohmann::ordered_json summary_json(const PlayedMatch& match, std::span<const match::MetricRow> table) {
   const match::Result& result = match.result;
   nlohmann::ordered_json out;
   out["teams"] = match.teams;
@@ -39,7 +39,7 @@ std::string summary_json(const PlayedMatch& match, std::span<const match::Metric
       out[row.name] = {nlohmann::ordered_json::array(), nlohmann::ordered_json::array()};
     }
   }
-  return out.dump() + '\n';
+  return out;
 }
 
 }  // namespace regista::campaign

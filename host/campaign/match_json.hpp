@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,7 +33,8 @@ std::optional<double> packets_share_of(const match::Setup& setup);
 match::MetricNumbers numbers_of(const PlayedMatch& match,
                                 std::span<const match::MetricRow> table = match::metric_table());
 
-// One JSON object with a newline: what the match was, and all its numbers.
-std::string summary_json(const PlayedMatch& match, std::span<const match::MetricRow> table = match::metric_table());
+// What the match was, and all its numbers.
+nlohmann::ordered_json summary_json(const PlayedMatch& match,
+                                    std::span<const match::MetricRow> table = match::metric_table());
 
 }  // namespace regista::campaign

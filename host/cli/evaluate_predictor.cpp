@@ -8,7 +8,9 @@
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
 #include "config/documents.hpp"
+#include "config/file.hpp"
 #include "output/output.hpp"
+#include "plugin/content_hash.hpp"
 #include "process/program.hpp"
 #include "report/evaluation_report.hpp"
 
@@ -66,8 +68,13 @@ int evaluate(const EvaluatePredictorOptions& options, const Invocation& invocati
         stop_if_asked(stage);
       });
   progress.clear();
-  output::print(options.json ? report::evaluation_json(study, options.data, evaluation)
-                             : report::evaluation_text(study, options.data, evaluation));
+  report::Evaluated evaluated{options.studies.front(), options.data, {}, {}, REGISTA_VERSION};
+  for (const std::string& each : catalogue.used_files()) {
+    evaluated.predictor = each;
+    evaluated.hash = plugin::content_hash(config::file_content(each).value_or(""));
+  }
+  output::print(options.json ? report::evaluation_json(study, evaluated, evaluation)
+                             : report::evaluation_text(study, evaluated, evaluation));
   return exit_done;
 }
 

@@ -12,6 +12,7 @@
 #include "campaign/engine.hpp"
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
+#include "campaign/mathematics.hpp"
 #include "campaign/supervised.hpp"
 #include "cli/commands.hpp"
 #include "cli/match_options.hpp"
@@ -24,6 +25,7 @@
 #include "output/output_files.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/plugin_file.hpp"
+#include "report/what_was_played.hpp"
 
 namespace regista::cli {
 namespace {
@@ -119,6 +121,33 @@ void blame(campaign::Job job, campaign::Limits limits, const campaign::Loss& los
   }
 }
 
+report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::MatchSetup& prepared,
+                                     const plugin::Catalogue& catalogue) {
+  const campaign::FoundInputs inputs =
+      campaign::inputs_of(prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
+  config::MatchSettings settings;
+  settings.rules = job.rules;
+  settings.robot = job.robot;
+  settings.limit = prepared.setup.limit;
+  std::vector<campaign::Input> openings;
+  if (prepared.setup.opening) openings.push_back(campaign::opening_input(*prepared.setup.opening));
+  report::WhatWasPlayed out = report::what_was_played(settings, inputs.common, openings);
+  for (const std::size_t side : {0u, 1u}) {
+    const std::string& own = side == 0 ? job.home_disturbance : job.away_disturbance;
+    out.teams.push_back(
+        report::played_team(prepared.plans[side]->team().name, job.teams[side], side == 0 ? inputs.home : inputs.away,
+                            report::profile_of(inputs.common, side == 0 ? "home disturbance" : "away disturbance",
+                                               own.empty() ? job.disturbance : own)));
+  }
+  out.set = job.overrides;
+  out.amount = fmt::format("seed {}", job.seed);
+  out.limits.clear();
+  out.program = REGISTA_VERSION;
+  out.folder = std::filesystem::current_path().string();
+  out.plugins = job.plugins;
+  return out;
+}
+
 // The shared objects of the teams' plugins, to tell whether they are still the same.
 using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
 
@@ -202,6 +231,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   }
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
+  const report::WhatWasPlayed what = what_is_played(job, prepared, catalogue);
   if (failed && !options.quiet) {
     complain(config::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
                                           end_in_words(stored->decided))));
@@ -209,7 +239,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   const auto work = [&](campaign::WorkerNote& note) {
     // A match that failed has no hash to be compared with.
     const std::optional<StoredMatch> none;
-    return play_prepared(options, invocation.arguments, failed ? none : stored, std::move(prepared), note);
+    return play_prepared(options, invocation.arguments, failed ? none : stored, what, std::move(prepared), note);
   };
   if (options.in_process) {
     campaign::WorkerNote note;

@@ -52,7 +52,7 @@ std::unique_ptr<recording::MatchRecording> begin_recording(const MatchOptions& o
 }  // namespace
 
 int play_prepared(const MatchOptions& options, std::vector<std::string> words, const std::optional<StoredMatch>& stored,
-                  campaign::MatchSetup prepared, campaign::WorkerNote& note) {
+                  const report::WhatWasPlayed& what, campaign::MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
   const std::string again = process::shell_line(words);
@@ -142,7 +142,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   if (log) decisions->close();
   if (!options.metrics.empty())
     output::write_whole(options.metrics, report::metrics_csv(played), output::Existing::replaced);
-  output::print(options.json ? campaign::summary_json(played) : report::summary_text(played));
+  output::print(options.json ? report::summary_json(played, what) : report::summary_text(played, what));
   return stored ? compare(options, stored->decided, played.result) : exit_done;
 }
 

@@ -10,12 +10,14 @@
 #include "campaign/supervised.hpp"
 #include "cli/match_options.hpp"
 #include "cli/stored_match.hpp"
+#include "report/what_was_played.hpp"
 
 namespace regista::cli {
 
-// In a process that a plugin may end; note: where it says which call it is in. words: as the program was called.
-// Returns an exit code. Throws BadInput, Interrupted, output::WriteError, campaign::Disorder.
+// what: with it the report begins. In a process that a plugin may end; note: where it says which call it is in. words:
+// as the program was called. Returns an exit code. Throws BadInput, Interrupted, output::WriteError,
+// campaign::Disorder.
 int play_prepared(const MatchOptions& options, std::vector<std::string> words, const std::optional<StoredMatch>& stored,
-                  campaign::MatchSetup prepared, campaign::WorkerNote& note);
+                  const report::WhatWasPlayed& what, campaign::MatchSetup prepared, campaign::WorkerNote& note);
 
 }  // namespace regista::cli

@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/results_file.hpp"
 #include "cli/results_page.hpp"
+#include "cli/study_folder.hpp"
 #include "cli/study_run.hpp"
 #include "config/text.hpp"
 #include "config/typed.hpp"
@@ -31,6 +32,7 @@ constexpr auto report_examples = R"(Examples:
   regista report tournament.db -o tournament.html
   regista report tournament.db --figures figures --png
   regista report tournament.db --standard-error 17
+  regista report tournament.db --study again
   regista report here.db there.db
 
 -o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
@@ -38,14 +40,16 @@ NAME.gnuplot, which draws the one from the other. A study that has ended is repo
 as far as its matches have been played without a gap. The table of an experiment has a row for each number of each
 match, that of a tuning one for each point of its search, that of a comparison of search algorithms one for each run.
 Several files are reported as one where they are of one study, begun alike, whose matches were played in several places.
+--study writes the study itself, as it was asked for, with its teams, profiles and scenes: `regista run study.yaml` in that
+folder plays it again.
 --standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
 
 Exit codes: 0 done; 1 the report could not be written; 2 bad input; 3 a defect of Regista.)";
 
 struct ReportOptions {
-  std::vector<std::string> files;             // of one study
-  std::string file;                           // the first of them, by which what is made is called
-  std::string page, figures, standard_error;  // the last: of this match, from 1
+  std::vector<std::string> files;                    // of one study
+  std::string file;                                  // the first of them, by which what is made is called
+  std::string page, figures, study, standard_error;  // the last: of this match, from 1
   bool json = false, csv = false, metrics = false, png = false, force = false;
 };
 
@@ -64,6 +68,9 @@ void refuse_what_does_not_go_together(const ReportOptions& options) {
   }
   if (!options.standard_error.empty() && (files || options.csv || options.json)) {
     throw BadInput("report: --standard-error writes the text of a match, and nothing else");
+  }
+  if (!options.study.empty() && (files || options.csv || options.json || !options.standard_error.empty())) {
+    throw BadInput("report: --study writes the study, and nothing else");
   }
   if (options.png && options.figures.empty()) throw BadInput("report: --png adds to --figures, which is not given");
   if (options.force && !files) throw BadInput("report: --force belongs to -o or --figures, which are not given");
@@ -138,6 +145,11 @@ int run(ReportOptions options, const output::OutputFiles& outputs, const Invocat
   const ResultsTogether results(options.files, invocation.studies);
   const campaign::Store& store = results.store();
   if (match != 0) return tell_standard_error(options.file, store, match);
+  if (!options.study.empty()) {
+    const auto report = stored_study(options.file, store, {}, invocation.studies);
+    for (const std::string& each : write_study(report->played(), store.documents(), options.study)) complain(each);
+    return exit_done;
+  }
   if (options.page.empty() && options.figures.empty()) {
     return print_report(options, store, invocation);
   }
@@ -166,6 +178,8 @@ void add_report(Command& parent, const Invocation& invocation) {
   command.take("--figures", options->figures, "FOLDER", "write the figures of the page as files of this folder",
                Writes::figures);
   command.flag("--png", options->png, "with --figures: each as PNG, too");
+  command.take("--study", options->study, "FOLDER", "write the study with all its files, to be played again",
+               Writes::sources);
   command.take("--standard-error", options->standard_error, "MATCH",
                "write what plugins wrote to standard error in this match");
   command.flag("--force", options->force, "replace files that exist already");

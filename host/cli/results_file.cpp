@@ -37,6 +37,12 @@ std::vector<std::string> differences(const std::string& file, const std::string&
   }
 }
 
+// "; Regista 0.1.0 began it", where this is another version.
+std::string other_program(const campaign::Store& store) {
+  const std::string began = store.meta("program");
+  return began.empty() || began == REGISTA_VERSION ? std::string() : fmt::format("; Regista {} began it", began);
+}
+
 // In a study's folder on a cluster, other machines read it.
 campaign::Journal journal_of(const std::string& file) {
   return cluster::is_in_study_folder(file) ? campaign::Journal::rollback : campaign::Journal::log;
@@ -111,8 +117,8 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     if (changed.empty()) return store;
     throw BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
-                    "--results names a new file",
-                    file, config::join(changed)));
+                    "--results names a new file{}",
+                    file, config::join(changed), other_program(store)));
   });
 }
 

@@ -162,7 +162,7 @@ struct Field {
   std::string doc;
   std::variant<Real, Integer, Boolean, Name, File, Paths, Choice, Numbers, Own, Free, Section, List, Dictionary> kind;
   bool required = false;
-  bool decides = true;                    // what comes of the document; else it says only how that is worked out or told
+  bool decides = true;            // what comes of the document; else it says only how that is worked out or told
   std::string default_from = {};  // the keys that the default follows from, in words, where it is no fixed value
 };
 

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "config/check.hpp"
+#include "config/nearest.hpp"
 #include "config/overlay.hpp"
 #include "config/profiles.hpp"
 #include "config/read.hpp"
@@ -260,9 +261,16 @@ bool is_of_a_match(std::string_view path, const Map& study) {
   };
   if (std::ranges::find(of_matches, first) != of_matches.end() && is_inside) return true;
   if (has(study)) return false;
-  const bool letter = first.size() == 1 && (first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z';
+  // A key that neither has is taken for the nearer one.
   TeamPage page;
-  return letter || has(declare(page)) || std::ranges::find(of_matches, first) != of_matches.end();
+  const auto distance = [first](const Map& declared) {
+    std::size_t least = first.size();
+    for (const Field& each : declared.fields) least = std::min(least, edit_distance(first, each.key));
+    return least;
+  };
+  const bool letter = first.size() == 1 && (first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z';
+  return letter || std::ranges::find(of_matches, first) != of_matches.end() ||
+         distance(declare(page)) < distance(study);
 }
 
 // The same as one of the values of the study's `set`, whose keys are paths.

@@ -55,17 +55,6 @@ Field values(std::string key, std::vector<Node>& values, std::string doc) {
               [&values] { return sequence_of(values); }}};
 }
 
-Field lines(std::string key, std::vector<Node>& texts, std::string doc) {
-  return {std::move(key), std::move(doc),
-          Own{"lines",
-              [&texts](const Node& node, const std::string& what, Mistakes& mistakes) {
-                const auto elements = elements_of(node, what, "a list of texts");
-                for (const Node& each : elements) mistakes.attempt(what, [&] { to_line(each, what); });
-                texts.assign(elements.begin(), elements.end());
-              },
-              [&texts] { return sequence_of(texts); }}};
-}
-
 Field pairs(std::string key, std::vector<Node>& pairs, std::string doc) {
   return {std::move(key), std::move(doc),
           Own{"pairs",

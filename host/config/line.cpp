@@ -17,4 +17,15 @@ Field line(std::string key, std::string& text, std::string doc) {
               [&text] { return text.empty() ? Node() : Node::scalar(text, true, {}); }}};
 }
 
+Field lines(std::string key, std::vector<Node>& texts, std::string doc) {
+  return {std::move(key), std::move(doc),
+          Own{"lines",
+              [&texts](const Node& node, const std::string& what, Mistakes& mistakes) {
+                const auto elements = elements_of(node, what, "a list of texts");
+                for (const Node& each : elements) mistakes.attempt(what, [&] { to_line(each, what); });
+                texts.assign(elements.begin(), elements.end());
+              },
+              [&texts] { return texts.empty() ? Node() : Node::sequence(texts, {}); }}};
+}
+
 }  // namespace regista::config

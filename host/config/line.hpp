@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "config/declaration.hpp"
 
@@ -14,5 +15,8 @@ std::string to_line(const Node& node, const std::string& what);
 
 // Empty is the same as not there.
 Field line(std::string key, std::string& text, std::string doc);
+
+// A list of them, each where it stands.
+Field lines(std::string key, std::vector<Node>& texts, std::string doc);
 
 }  // namespace regista::config

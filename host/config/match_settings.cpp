@@ -4,6 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "config/line.hpp"
+
 namespace regista::config {
 
 static Map declare(MatchLimits& limits) {
@@ -35,6 +37,9 @@ std::vector<Field> fields_of(MatchSettings& settings, std::string set) {
                              "it is reproducible, and whether robots decide alone")),
       boolean("allow_shared_memory", settings.allow_shared_memory,
               "plugins may keep what all robots of a team know: a team thinks in one process, and the report says so"),
+      without_effect(lines("played_with", settings.played_with,
+                           "of a study that was played before: its program, plugins and profiles with their hashes; "
+                           "what is another now is reported before the first match")),
   };
 }
 

@@ -36,6 +36,7 @@ struct MatchSettings {
   Isolation isolation = Isolation::after_death;
   bool play_twice = true;
   bool allow_shared_memory = false;
+  std::vector<Node> played_with;  // lines of hashes: what it was played with when it was written down
 };
 
 // Keys at the top of a study's document. set: the meaning of that key.

@@ -63,9 +63,9 @@ struct Reader {
       mistakes.attempt(what, [&] {
         std::error_code none;
         const bool folder = mistakes.looks_for_files() && std::filesystem::is_directory(named_file(each, what), none);
-        paths.members->push_back({folder ? std::filesystem::absolute(named_file(each, what)).lexically_normal().string()
-                                         : file_of(each),
-                                  each.where()});
+        paths.members->push_back(
+            {folder ? std::filesystem::absolute(named_file(each, what)).lexically_normal().string() : file_of(each),
+             each.where()});
       });
     }
   }

@@ -24,12 +24,12 @@ enum class Writes {
   metrics,        // of a match, as a table
   match_table,    // of an experiment
   summary_table,  // of an experiment
-  search_table,   // of a tuning, or of a comparison of search algorithms
+  search_table,   // of a tuning
   tuned_team,
   page,     // or a picture
   drawing,  // of a team's roles
   figures,  // a folder
-  sources,  // of a new plugin: the folder in which theirs is made
+  sources,  // a new folder: of a plugin, in which its own is made, or of a study
 };
 
 using FileUse = std::variant<std::monostate, Reads, Writes>;  // none: the option names no file

@@ -49,6 +49,8 @@ class DraftFolder {
 
   // Both: false, and errno says why.
   bool add(const NewFile& file) const {
+    std::error_code failed;
+    fs::create_directories((fs::path(path_) / file.name).parent_path(), failed);
     std::FILE* const out = std::fopen((fs::path(path_) / file.name).c_str(), "wbxe");
     if (out == nullptr) return false;
     const bool written = std::fwrite(file.bytes.data(), 1, file.bytes.size(), out) == file.bytes.size();

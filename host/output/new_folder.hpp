@@ -10,7 +10,7 @@
 namespace regista::output {
 
 struct NewFile {
-  std::string name;  // in the folder, without a path
+  std::string name;  // in the folder, or below it: "teams/a.yaml"
   std::string bytes;
 };
 

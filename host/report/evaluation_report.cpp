@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "config/json.hpp"
+#include "config/values.hpp"
+#include "report/visible_text.hpp"
 
 namespace regista::report {
 namespace {
@@ -29,18 +31,25 @@ std::string consistency_row(std::string_view name, const study::Evaluation& eval
   });
 }
 
+nlohmann::ordered_json document_of(config::PredictorStudy study) {
+  return config::to_json(config::values_of(declare(study)));
+}
+
 nlohmann::ordered_json errors_json(const study::Errors& errors) {
   return {{"median", errors.median}, {"ninetieth_percentile", errors.ninetieth}};
 }
 
 }  // namespace
 
-std::string evaluation_text(const config::PredictorStudy& study, const std::string& data,
+std::string evaluation_text(const config::PredictorStudy& study, const Evaluated& evaluated,
                             const study::Evaluation& evaluation) {
   using study::AtHorizon;
   using study::Consistency;
-  std::string out = fmt::format("{} on {}\n{} detections, {} of them shown; {} starts\n\n", study.predictor.plugin,
-                                data, evaluation.detections, evaluation.observations, evaluation.starts);
+  std::string out = fmt::format(
+      "Evaluated: {} ({}, version {:.8}) by {} ({}) on {}, with Regista {}\n{} detections, {} of them shown; {} "
+      "starts\n\n",
+      study.predictor.plugin, visible(evaluated.predictor), evaluated.hash, study.name, visible(evaluated.file),
+      visible(evaluated.data), evaluated.program, evaluation.detections, evaluation.observations, evaluation.starts);
   out += row("seconds ahead", evaluation, [](const AtHorizon& at) { return fmt::format("{:g}", at.horizon); });
   out += "error in mm: median / 90th percentile\n";
   out += row(study.predictor.plugin, evaluation, [](const AtHorizon& at) { return both(at.predictor, at.answers); });
@@ -77,11 +86,16 @@ std::string evaluation_text(const config::PredictorStudy& study, const std::stri
   return out;
 }
 
-std::string evaluation_json(const config::PredictorStudy& study, const std::string& data,
+std::string evaluation_json(const config::PredictorStudy& study, const Evaluated& evaluated,
                             const study::Evaluation& evaluation) {
   nlohmann::ordered_json out{{"study", study.name},
                              {"predictor", study.predictor.plugin},
-                             {"data", data},
+                             {"data", evaluated.data},
+                             {"evaluated",
+                              {{"file", evaluated.file},
+                               {"predictor", {{"file", evaluated.predictor}, {"hash", evaluated.hash}}},
+                               {"program", evaluated.program},
+                               {"document", document_of(study)}}},
                              {"detections", evaluation.detections},
                              {"observations", evaluation.observations},
                              {"starts", evaluation.starts},

@@ -9,9 +9,18 @@
 
 namespace regista::report {
 
-std::string evaluation_text(const config::PredictorStudy& study, const std::string& data,
+// What was evaluated by what: the beginning of both.
+struct Evaluated {
+  std::string file;       // of the study
+  std::string data;       // the recording
+  std::string predictor;  // file of the plugin
+  std::string hash;       // of its content
+  std::string program;    // version
+};
+
+std::string evaluation_text(const config::PredictorStudy& study, const Evaluated& evaluated,
                             const study::Evaluation& evaluation);
-std::string evaluation_json(const config::PredictorStudy& study, const std::string& data,
+std::string evaluation_json(const config::PredictorStudy& study, const Evaluated& evaluated,
                             const study::Evaluation& evaluation);
 
 }  // namespace regista::report

@@ -37,6 +37,7 @@ class ExperimentReport final : public StudyReport {
     return out;
   }
   std::string headline() const override { return experiment_headline(view()); }
+  WhatWasPlayed played() const override { return what_was_played(plan_); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return experiment_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
@@ -84,7 +85,7 @@ class ExperimentReport final : public StudyReport {
 };
 
 std::vector<std::string> ExperimentReport::notes() const {
-  std::vector<std::string> out;
+  std::vector<std::string> out = not_as_before(plan_.asked.settings, played());
   for (const study::Comparison& each : plan_.comparisons()) {
     if (!study::equal_conditions(plan_, each)) continue;
     out.push_back(fmt::format("A/A: {} and {} are equal, so they do not differ by construction",

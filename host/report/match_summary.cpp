@@ -8,6 +8,8 @@
 #include "match/names.hpp"
 #include "report/match_summary.hpp"
 
+#include "config/json.hpp"
+
 namespace regista::report {
 namespace {
 
@@ -102,9 +104,10 @@ std::string world_model(const match::WorldModelMetrics& model) {
 
 }  // namespace
 
-std::string summary_text(const campaign::PlayedMatch& match) {
+std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed& played) {
   const match::Result& result = match.result;
-  std::string out = fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
+  std::string out = played_text(played) + '\n';
+  out += fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
   out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
   out += fmt::format("seed        {}\n", match.seed);
   if (!match.opening.empty()) out += fmt::format("opening     {}\n", match.opening);
@@ -133,6 +136,12 @@ std::string summary_text(const campaign::PlayedMatch& match) {
     out += plugins(team.plugins);
   }
   return out;
+}
+
+std::string summary_json(const campaign::PlayedMatch& match, const WhatWasPlayed& played) {
+  nlohmann::ordered_json out{{"played", played_json(played)}};
+  out.update(campaign::summary_json(match));
+  return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
 }  // namespace regista::report

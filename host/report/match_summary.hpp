@@ -7,11 +7,13 @@
 #include <string_view>
 
 #include "campaign/match_json.hpp"
+#include "report/what_was_played.hpp"
 
 namespace regista::report {
 
-// A page that ends with a newline.
-std::string summary_text(const campaign::PlayedMatch& match);
+// Both end with a newline, and begin with what was played.
+std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed& played);
+std::string summary_json(const campaign::PlayedMatch& match, const WhatWasPlayed& played);
 
 // All its numbers as a long table with a head: a line for each number, without a side those of the match, then home's
 // and away's. Elements of a list are counted from 1.

@@ -13,6 +13,7 @@
 #include "campaign/job.hpp"
 #include "report/figure.hpp"
 #include "report/page_parts.hpp"
+#include "report/what_was_played.hpp"
 #include "study/study.hpp"
 
 namespace regista::report {
@@ -45,6 +46,9 @@ class StudyReport {
   virtual std::string question() const { return {}; }
   virtual std::vector<std::string> teams() const { return {}; }  // who plays, as the study calls them
   virtual std::string headline() const = 0;
+
+  // With it every report begins.
+  virtual WhatWasPlayed played() const = 0;
 
   // Before its first match: what is worth knowing, lines without their ends.
   virtual std::vector<std::string> notes() const { return {}; }

@@ -60,6 +60,7 @@ class TournamentReport final : public StudyReport {
     return out;
   }
   std::string headline() const override { return markup::plain(verdict_sentence(view()).sentence); }
+  WhatWasPlayed played() const override { return what_was_played(plan_); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return fmt::format("{}\n{}", title(), standing_text(view())); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
@@ -105,7 +106,7 @@ class TournamentReport final : public StudyReport {
 };
 
 std::vector<std::string> TournamentReport::notes() const {
-  std::vector<std::string> out;
+  std::vector<std::string> out = not_as_before(plan_.asked.settings, played());
   for (const study::Pairing& pairing : course_.calendar().pairings()) {
     if (!study::equal_teams(plan_, pairing)) continue;
     out.push_back(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",

@@ -34,6 +34,7 @@ class TuningReport final : public StudyReport {
   std::string title() const override { return problem_title(plan_); }
   std::string question() const override { return plan_.asked.question; }
   std::string headline() const override { return tuning_verdict(view()).headline; }
+  WhatWasPlayed played() const override { return what_was_played(plan_); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return tuning_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "campaign/inputs.hpp"
@@ -53,15 +54,12 @@ std::string program_of(const WhatWasPlayed& played) {
   return out;
 }
 
-// What is said in a line each, with what it is.
-std::vector<std::pair<std::string, std::string>> lines_of(const WhatWasPlayed& played) {
-  std::vector<std::pair<std::string, std::string>> out{{"rules", in_words(played.rules)},
-                                                       {"robot", in_words(played.robot)}};
-  if (!played.set.empty()) out.emplace_back("set", visible(fmt::format("{}", fmt::join(played.set, ", "))));
-  out.emplace_back("games", played.games);
-  out.emplace_back("number", played.amount);
-  out.emplace_back("limits", played.limits);
-  out.emplace_back("program", program_of(played));
+// What is said of all matches, a line each.
+std::vector<std::string> lines_of(const WhatWasPlayed& played) {
+  std::vector<std::string> out{fmt::format("rules {}, robot {}", in_words(played.rules), in_words(played.robot))};
+  if (!played.set.empty()) out.push_back("set " + visible(fmt::format("{}", fmt::join(played.set, ", "))));
+  out.push_back(fmt::format("{}; {}", played.games, played.amount));
+  out.push_back(program_of(played) + (played.limits.empty() ? "" : "; " + played.limits));
   return out;
 }
 
@@ -104,13 +102,48 @@ PlayedTeam played_team(std::string name, std::string file, std::vector<campaign:
   return out;
 }
 
+std::vector<std::string> played_with(const WhatWasPlayed& played) {
+  std::vector<std::string> out;
+  const auto add = [&out](const campaign::Input& input) {
+    // A team is its file, which comes along; where a shared object or a file was found says nothing of what it is.
+    if (input.name.starts_with("team ")) return;
+    std::string name = input.name.substr(0, input.name.find(" ("));
+    if (name.starts_with("file ")) {
+      const std::size_t of = name.find(" of plugin ");
+      name = "file " + std::filesystem::path(name.substr(5, of - 5)).filename().string() +
+             name.substr(std::min(of, name.size()));
+    }
+    const std::string line = fmt::format("{} {}", visible(name), input.hash);
+    if (std::ranges::find(out, line) == out.end()) out.push_back(line);
+  };
+  std::ranges::for_each(played.inputs, add);
+  for (const PlayedTeam& each : played.teams) std::ranges::for_each(each.inputs, add);
+  return out;
+}
+
+std::vector<std::string> not_as_before(const config::MatchSettings& settings, const WhatWasPlayed& played) {
+  std::vector<std::string> out;
+  const std::vector<std::string> now = played_with(played);
+  for (const config::Node& each : settings.played_with) {
+    const std::string& line = each.text();
+    if (std::ranges::find(now, line) != now.end()) continue;
+    out.push_back(
+        fmt::format("{} is not what this study was played with before", visible(line.substr(0, line.rfind(' ')))));
+  }
+  return out;
+}
+
 std::string played_text(const WhatWasPlayed& played) {
+  constexpr std::size_t most = 20;  // teams, in a terminal
   std::string out = "Played:\n";
-  for (const PlayedTeam& each : played.teams) {
-    out += fmt::format("  team {} ({}, version {}), {}\n", visible(each.name), visible(each.file), each.version,
+  for (std::size_t i = 0; i < std::min(played.teams.size(), most); ++i) {
+    const PlayedTeam& each = played.teams[i];
+    out += fmt::format("  {} ({}, version {}), {}\n", visible(each.name), visible(each.file), each.version,
                        remarks_on(each));
   }
-  for (const auto& [what, value] : lines_of(played)) out += fmt::format("  {} {}\n", what, value);
+  if (played.teams.size() > most)
+    out += fmt::format("  and {} more teams: --json, or the page\n", played.teams.size() - most);
+  for (const std::string& each : lines_of(played)) out += fmt::format("  {}\n", each);
   return out;
 }
 
@@ -135,7 +168,8 @@ Json played_json(const WhatWasPlayed& played) {
           {"folder", played.folder},
           {"plugins", played.plugins},
           {"inputs", inputs},
-          {"document", config::to_json(config::parse_text(played.document, "its document"))}};
+          {"document", played.document.empty() ? Json(nullptr)
+                                               : config::to_json(config::parse_text(played.document, "its document"))}};
 }
 
 Html played_section(const WhatWasPlayed& played) {
@@ -145,11 +179,10 @@ Html played_section(const WhatWasPlayed& played) {
                    {"Disturbance, and what is set for it alone"_html, Column::words}});
   for (const PlayedTeam& each : played.teams)
     teams.row({name(each.name), path_code(each.file), code(each.version), text(remarks_on(each))});
-  HtmlTable all({{"All matches"_html, Column::words}, {""_html, Column::words}});
-  for (const auto& [what, value] : lines_of(played)) all.row({text(what), text(value)});
   Html out = "<div class=\"values\">"_html;
-  out << teams.html() << "</div>\n<div class=\"values\">"_html << all.html()
-      << "</div>\n<details><summary>The study's document, with every value that is in force</summary>\n"_html
+  out << teams.html() << "</div>\n<ul>\n"_html;
+  for (const std::string& each : lines_of(played)) out << "<li>"_html << text(each) << "</li>\n"_html;
+  out << "</ul>\n<details><summary>The study's document, with every value that is in force</summary>\n"_html
       << block(played.document) << "</details>\n"_html;
   return section("played", "What was played"_html, out);
 }

@@ -40,7 +40,7 @@ struct WhatWasPlayed {
   std::string folder;                   // in which it was begun
   std::vector<std::string> plugins;     // folders of --plugins
   std::vector<campaign::Input> inputs;  // everything, each once
-  std::string document;                 // of the study, every value that is in force
+  std::string document;                 // of the study, every value that is in force; of a match none
 };
 
 // All that does not depend on which study it is. common: inputs that all matches have; openings: of each scene.
@@ -53,6 +53,11 @@ PlayedProfile profile_of(std::span<const campaign::Input> inputs, std::string_vi
 // A team with its inputs, and the eight digits that they make.
 PlayedTeam played_team(std::string name, std::string file, std::vector<campaign::Input> inputs,
                        PlayedProfile disturbance);
+
+// What a study that is played again has to have as well: "plugin greedy 9f2c...", a line each.
+std::vector<std::string> played_with(const WhatWasPlayed& played);
+// What is another than a study's document says it was played with, lines without their ends.
+std::vector<std::string> not_as_before(const config::MatchSettings& settings, const WhatWasPlayed& played);
 
 std::string played_text(const WhatWasPlayed& played);  // lines, each ended
 nlohmann::ordered_json played_json(const WhatWasPlayed& played);

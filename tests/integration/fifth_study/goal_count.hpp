@@ -34,7 +34,7 @@ class GoalCount final : public Study {
   std::uint64_t most_matches() const override { return calendar_.matches(); }
   std::uint64_t counted() const override { return counted_; }
   campaign::Metrics metrics() const override { return campaign::Metrics::left_out; }
-  const campaign::Limits& limits() const override { return schedule_.limits; }
+  campaign::Limits limits() const override { return schedule_.limits(); }
   const std::string& folder() const override { return schedule_.folder; }
   std::string plan() const override {
     return nlohmann::ordered_json{{"study", name}, {"schedule", to_json(schedule_)}}.dump();
@@ -62,6 +62,7 @@ class GoalCount final : public Study {
     play(round);
   }
 
+  const TournamentPlan& schedule() const { return schedule_; }
   const std::map<int, std::uint64_t>& matches() const { return matches_; }  // by goals
   bool over() const { return over_; }
 

@@ -13,6 +13,7 @@
 #include "report/html.hpp"
 #include "report/page_parts.hpp"
 #include "report/study_report.hpp"
+#include "report/tournament.hpp"
 
 namespace regista::report {
 
@@ -23,6 +24,7 @@ class GoalCountReport final : public StudyReport {
   study::Study& study() override { return study_; }
   const study::Study& study() const override { return study_; }
 
+  WhatWasPlayed played() const override { return what_was_played(study_.schedule()); }
   std::string title() const override { return "goals of a match"; }
   std::string headline() const override { return fmt::format("{} matches were counted.", study_.counted()); }
   std::string standing() const override { return text(); }

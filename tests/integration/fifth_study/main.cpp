@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The program with one more study: a file for the study, one for its report, and this one for its command.
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
-#include "cli/campaign_options.hpp"
 #include "cli/command_line.hpp"
 #include "cli/plugin_folders.hpp"
 #include "cli/results_file.hpp"
 #include "cli/study_kinds.hpp"
+#include "cli/study_options.hpp"
 #include "cli/study_run.hpp"
 #include "goal_count_report.hpp"
 #include "study/tournament_setup.hpp"
@@ -16,9 +17,10 @@
 namespace regista::cli {
 namespace {
 
-int count_goals(study::TournamentRequest options, const Invocation& invocation) {
+int count_goals(StudyOptions options, const Invocation& invocation) {
+  const config::Node document = config::requested(options.asked(), config::DocumentKind::tournament);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::PlannedTournament planned = study::planned_tournament(options, catalogue);
+  study::PlannedTournament planned = study::planned_tournament(document, options.plugins, catalogue);
   options.plugin_files = catalogue.used_files();
   report::GoalCountReport report(std::move(planned.plan));
   campaign::Store store =
@@ -28,11 +30,12 @@ int count_goals(study::TournamentRequest options, const Invocation& invocation) 
 
 void add_count_goals(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("count-goals", "how many goals fall in a match");
-  const auto options = std::make_shared<study::TournamentRequest>();
+  static constexpr std::array own{DocumentOption{"--team", "teams", DocumentOption::Form::teams},
+                                  DocumentOption{"--pairs", "pairs"}};
+  const auto options = std::make_shared<StudyOptions>();
   options->results = "goals.db";
-  command.take("--team", options->teams, "TEXT", "");
-  command.take("--openings", options->openings, "TEXT", "");
-  command.take("--pairs", options->pairs, "TEXT", "");
+  options->values.declare(command, config::DocumentKind::tournament, own);
+  options->values.declare_common(command, config::DocumentKind::tournament);
   add_campaign_options(command, *options, options->results);
   command.run = [options, &invocation] { return count_goals(*options, invocation); };
 }

@@ -49,7 +49,7 @@ class MetricRow : public testing::Test {
 };
 
 TEST_F(MetricRow, StandsInTheJson) {
-  const auto json = nlohmann::json::parse(campaign::summary_json(played, table));
+  const auto json = campaign::summary_json(played, table);
   EXPECT_EQ(json["headers"][0]["won"], 3.5);
   EXPECT_EQ(json["headers"][1]["won"], 1);
   EXPECT_EQ(json["roles"][1]["striker"]["leaps"], 2);

@@ -63,7 +63,7 @@ TEST(PacketsSpent, WhoSpendsTheShareToTheLastPacketHasNotOverspent) {
   match.packets_share = 30.0;
   match.result.packets = {30, 31};
   EXPECT_THAT(
-      summary_text(match),
+      summary_text(match, {}),
       AllOf(HasSubstr("\na (home)\n"), HasSubstr("  packets 30 of 1200 (share of this length: 30)\n"),
             HasSubstr("\nb (away)\n"), HasSubstr("  packets 31 of 1200 (share of this length: 30, OVERSPENT)\n")));
 }

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "cli/study_folder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "cli/common_names.hpp"
+#include "config/documents.hpp"
+#include "config/parse.hpp"
+#include "config/text.hpp"
+#include "config/values.hpp"
+#include "output/new_folder.hpp"
+
+namespace regista::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto study_file = "study.yaml";
+
+bool is_study(const std::string& content) {
+  try {
+    const config::DocumentKind kind = config::kind_of(config::parse_text(content, "a document"));
+    return kind == config::DocumentKind::tournament || kind == config::DocumentKind::experiment ||
+           kind == config::DocumentKind::tuning;
+  } catch (const config::Error&) {
+    return false;  // data of a plugin
+  }
+}
+
+// The folder that all of them stand in.
+fs::path folder_of(const std::vector<fs::path>& files) {
+  fs::path out = files.empty() ? fs::path() : files.front().parent_path();
+  for (const fs::path& each : files) {
+    const auto [end, rest] = std::mismatch(out.begin(), out.end(), each.begin(), each.end());
+    fs::path common;
+    for (auto part = out.begin(); part != end; ++part) common /= *part;
+    out = std::move(common);
+  }
+  return out;
+}
+
+class Laying {
+ public:
+  Laying(const report::WhatWasPlayed& played, const std::vector<campaign::Document>& documents) : played_(played) {
+    std::vector<fs::path> files;
+    for (const campaign::Document& each : documents) {
+      // A file of results may come from anybody: nothing may be written but below the folder.
+      const fs::path path = each.path;
+      const bool plain = path.is_absolute() && path.has_filename() && path == path.lexically_normal();
+      if (!plain || !each.content || is_study(*each.content)) continue;
+      contents_.emplace(each.path, &*each.content);
+      files.emplace_back(each.path);
+    }
+    root_ = folder_of(files);
+  }
+
+  std::vector<output::NewFile> files() {
+    std::vector<output::NewFile> out{{study_file, study()}};
+    for (const auto& [path, content] : contents_) out.push_back({fs::path(path).lexically_relative(root_), *content});
+    return out;
+  }
+
+  std::vector<std::string> left_out;
+
+ private:
+  std::string study() {
+    const config::Node document = config::parse_text(played_.document, study_file);
+    switch (config::kind_of(document)) {
+      case config::DocumentKind::tournament:
+        return named_from_here(config::read_tournament, document);
+      case config::DocumentKind::experiment:
+        return named_from_here(config::read_experiment, document);
+      default:
+        return named_from_here(config::read_tuning, document);
+    }
+  }
+
+  template <class Study>
+  std::string named_from_here(Study (*read)(const config::Node&, config::Mistakes&), const config::Node& document) {
+    config::Mistakes first(config::Mistakes::After::stop, config::Mistakes::Files::as_they_stand);
+    Study study = read(document, first);
+    config::rename_files(declare(study), [this](const std::string& name) { return renamed(name); });
+    study.settings.set = with_names(study.settings.set);
+    study.settings.played_with.clear();
+    for (const std::string& each : report::played_with(played_))
+      study.settings.played_with.push_back(config::Node::scalar(each, true, {}));
+    return config::document_text(std::move(study));
+  }
+
+  fs::path absolute(const std::string& name) const { return (fs::path(played_.folder) / name).lexically_normal(); }
+
+  // Folders of scenes are taken as far as their files are.
+  bool is_taken(const fs::path& path) const {
+    const auto found = contents_.lower_bound(path.string());
+    return found != contents_.end() && (found->first == path.string() || found->first.starts_with(path.string() + '/'));
+  }
+
+  std::string renamed(const std::string& name) {
+    const fs::path path = absolute(name);
+    if (is_taken(path)) return path.lexically_relative(root_).generic_string();
+    left_out.push_back(
+        fmt::format("{} is not in the results: it is named where it is", config::one_line(path.string())));
+    return path.string();
+  }
+
+  // Values that name a file of the study.
+  config::Node with_names(const config::Node& node) const {
+    switch (node.kind()) {
+      case config::Node::Kind::scalar: {
+        const fs::path path = absolute(node.text());
+        if (node.text().empty() || !contents_.contains(path.string())) return node;
+        return config::Node::scalar(path.lexically_relative(root_).generic_string(), true, {});
+      }
+      case config::Node::Kind::sequence: {
+        std::vector<config::Node> out;
+        for (const config::Node& each : node.elements()) out.push_back(with_names(each));
+        return config::Node::sequence(std::move(out), {});
+      }
+      case config::Node::Kind::map: {
+        std::vector<config::Node::Entry> out;
+        for (const config::Node::Entry& each : node.entries()) out.push_back({each.key, {}, with_names(each.value)});
+        return config::Node::map(std::move(out), {});
+      }
+      default:
+        return node;
+    }
+  }
+
+  const report::WhatWasPlayed& played_;
+  std::map<std::string, const std::string*> contents_;  // by path
+  fs::path root_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_study(const report::WhatWasPlayed& played,
+                                     const std::vector<campaign::Document>& documents, const fs::path& folder) {
+  Laying laying(played, documents);
+  output::write_new_folder(folder, laying.files());
+  return laying.left_out;
+}
+
+}  // namespace regista::cli

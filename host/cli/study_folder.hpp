@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// A stored study written down as a folder that `regista run` plays: study.yaml, and below it the teams, profiles,
+// scenes and data files that it was begun with, as they stood to each other. Names in it are relative.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "campaign/stored_documents.hpp"
+#include "report/what_was_played.hpp"
+
+namespace regista::cli {
+
+// documents: that the study was begun with. folder: is made, and must be empty. Returns what could not be taken along,
+// a line each. Throws BadInput and output::WriteError.
+std::vector<std::string> write_study(const report::WhatWasPlayed& played,
+                                     const std::vector<campaign::Document>& documents,
+                                     const std::filesystem::path& folder);
+
+}  // namespace regista::cli
