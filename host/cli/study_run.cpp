@@ -171,6 +171,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
                campaign::Store& store, const StudyWishes& wishes) {
   if (options.plays == campaign::Options::Plays::nothing_yet) return exit_done;
   {
+    for (const std::string& each : report.played().changed) complain(each);
     StudyProgress progress(report, !options.quiet);
     for (const std::string& each : report.notes()) progress.note(each);
     progress.begin();

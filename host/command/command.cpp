@@ -147,6 +147,20 @@ std::string Command::not_expected(const std::string& word) const {
   return fmt::format("unexpected argument {}; see: {} --help", config::in_quotes(word), declared_.full_name);
 }
 
+// "; `regista experiment` has one": of an option that another command of the program takes.
+std::string Command::elsewhere(const std::string& word) const {
+  const std::string option = word.substr(0, word.find('='));
+  std::vector<std::string> takers;
+  for (const auto& each : commands_) {
+    const auto named = [&](const OptionDeclaration& declared) { return declared.name() == option; };
+    if (!each->hidden_ && std::ranges::any_of(each->declared_.options, named))
+      takers.push_back(fmt::format("`{}`", each->declared_.full_name));
+  }
+  constexpr std::size_t most = 3;
+  if (takers.empty() || takers.size() > most) return {};
+  return fmt::format("; {} {} one", config::join(takers), takers.size() == 1 ? "has" : "have");
+}
+
 // An empty value is most often a variable of a script that was not set; a value that looks like an option is one whose
 // own value was forgotten.
 void Command::refuse_missing_values() const {
@@ -173,7 +187,8 @@ Command::Typed Command::read(const std::vector<std::string>& words, std::size_t 
   } catch (const CLI::CallForVersion& version) {
     return {nullptr, std::string(version.what()) + '\n'};
   } catch (const CLI::ExtrasError&) {
-    throw BadInput(chosen().not_expected(app_.remaining(true).front()));
+    const std::string word = app_.remaining(true).front();
+    throw BadInput(chosen().not_expected(word) + elsewhere(word));
   } catch (const CLI::ArgumentMismatch& error) {
     throw BadInput(wrong_count(error));
   } catch (const CLI::ParseError& error) {

@@ -71,6 +71,7 @@ class Command {
   void declare(CLI::Option& option, OptionDeclaration declared);
   const Command& chosen() const;
   std::string not_expected(const std::string& word) const;
+  std::string elsewhere(const std::string& word) const;
   void refuse_missing_values() const;
   std::vector<std::string> names_of_commands() const;
 

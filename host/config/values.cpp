@@ -10,6 +10,7 @@
 #include "config/json.hpp"
 #include "config/parse.hpp"
 #include "config/show.hpp"
+#include "config/text.hpp"
 #include "config/typed.hpp"
 
 namespace regista::config {
@@ -17,7 +18,9 @@ namespace {
 
 std::string inside(const std::string& path, const std::string& key) { return path.empty() ? key : path + '.' + key; }
 
-std::string in_words(const Node& node) { return node ? flow(node) : "none"; }
+std::string in_words(const Node& node) {
+  return !node ? "none" : node.kind() == Node::Kind::scalar ? one_line(node.text()) : flow(node);
+}
 
 // Of maps whose keys nobody declares, key by key; of all else as a whole.
 void compare_freely(const std::string& path, const Node& before, const Node& now, std::vector<std::string>& out) {

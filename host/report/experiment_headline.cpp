@@ -224,7 +224,6 @@ std::string none_found(const study::ExperimentPlan& plan, const std::vector<cons
 
 std::string of_one_condition(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
-  if (plan.conditions.size() > 1) return "Nothing was compared: the experiment plans no comparison.";
   const study::MeanEstimate mean = view.course.mean(0, *study::primary_measure(plan));
   if (mean.pairs == 0) return fmt::format("{} has no value.", visible(plan.primary()));
   return fmt::format("{} has {} {}, {}. There is no other arm to compare it with.", arm_name(plan, 0),

@@ -85,7 +85,7 @@ class ExperimentReport final : public StudyReport {
 };
 
 std::vector<std::string> ExperimentReport::notes() const {
-  std::vector<std::string> out = not_as_before(plan_.asked.settings, played());
+  std::vector<std::string> out;
   for (const study::Comparison& each : plan_.comparisons()) {
     if (!study::equal_conditions(plan_, each)) continue;
     out.push_back(fmt::format("A/A: {} and {} are equal, so they do not differ by construction",

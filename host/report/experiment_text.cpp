@@ -160,6 +160,7 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
   out.folder = plan.folder;
   out.plugins = plan.plugins;
   out.document = config::document_text(plan.asked);
+  out.changed = not_as_before(plan.asked.settings, out);
   return out;
 }
 

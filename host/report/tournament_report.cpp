@@ -106,7 +106,7 @@ class TournamentReport final : public StudyReport {
 };
 
 std::vector<std::string> TournamentReport::notes() const {
-  std::vector<std::string> out = not_as_before(plan_.asked.settings, played());
+  std::vector<std::string> out;
   for (const study::Pairing& pairing : course_.calendar().pairings()) {
     if (!study::equal_teams(plan_, pairing)) continue;
     out.push_back(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",

@@ -15,11 +15,7 @@ namespace regista::report {
 TuningReport::TuningReport(study::TuningPlan plan, study::OutOfTime out_of_time)
     : plan_(std::move(plan)), study_(plan_, std::move(out_of_time)) {}
 
-std::vector<std::string> TuningReport::notes() const {
-  std::vector<std::string> out = not_as_before(plan_.asked.settings, played());
-  for (std::string& each : problem_notes(plan_)) out.push_back(std::move(each));
-  return out;
-}
+std::vector<std::string> TuningReport::notes() const { return problem_notes(plan_); }
 
 std::string TuningReport::match(const study::Round& round, std::uint64_t index,
                                 const campaign::Decided& decided) const {

@@ -26,6 +26,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 std::string in_words(const PlayedProfile& profile) {
+  if (profile.name.empty() && profile.file.empty()) return "not known";
   return visible(profile.name) + (profile.file.empty() ? " (built in)" : fmt::format(" ({})", visible(profile.file)));
 }
 
@@ -168,6 +169,7 @@ Json played_json(const WhatWasPlayed& played) {
           {"folder", played.folder},
           {"plugins", played.plugins},
           {"inputs", inputs},
+          {"changed", played.changed},
           {"document", played.document.empty() ? Json(nullptr)
                                                : config::to_json(config::parse_text(played.document, "its document"))}};
 }

@@ -41,6 +41,7 @@ struct WhatWasPlayed {
   std::vector<std::string> plugins;     // folders of --plugins
   std::vector<campaign::Input> inputs;  // everything, each once
   std::string document;                 // of the study, every value that is in force; of a match none
+  std::vector<std::string> changed;     // what is another than its document says it was played with before, a line each
 };
 
 // All that does not depend on which study it is. common: inputs that all matches have; openings: of each scene.

@@ -97,7 +97,8 @@ class Case(unittest.TestCase):
         return environment
 
     def start(self, *arguments, environment=None, **options):
-        return subprocess.Popen([str(self.program), *map(str, arguments)], cwd=self.folder, text=True,
+        options.setdefault("cwd", self.folder)
+        return subprocess.Popen([str(self.program), *map(str, arguments)], text=True,
                                 env=self.environment(environment), stdin=subprocess.DEVNULL, **options)
 
     def on_terminal(self, *arguments, columns=80, terminal="xterm", **options):

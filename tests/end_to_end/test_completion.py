@@ -44,7 +44,7 @@ class Completion(program.Case):
         self.assertEqual(self.bash("plugin", "new", "sender", "x", "-o", "s"), {"scenes"})
         self.assertEqual(self.bash("help", "plugin", "l"), {"list"})
         self.assertEqual(self.bash("match", "--home"), {"--home-disturbance"})
-        self.assertEqual(self.bash("tournament", "--format", ""), {"round-robin", "gauntlet"})
+        self.assertEqual(self.bash("tournament", "--format", ""), {"round_robin", "gauntlet"})
         self.assertEqual(self.bash("config", "schema", "t"), {"team", "tournament", "tuning"})
         self.assertEqual(self.bash("match", "b t"), {"b team.yaml"})
         self.assertTrue({"b team.yaml", "small.yaml", "scenes"} <= self.bash("match", ""))
@@ -87,7 +87,7 @@ class Completion(program.Case):
             until(r"ready\s")
             for words, completed in (("regista tourn\t", "tournament "), ("regista plugin ref\t", "reference "),
                                      ("regista match --home-d\t", "--home-disturbance "),
-                                     ("regista tournament --format rou\t", "round-robin "),
+                                     ("regista tournament --format rou\t", "round_robin "),
                                      ("regista config schema tu\t", "tuning "), ("regista report t\t", "t.db"),
                                      ("regista match b\\ t\t", r"b\\ team.yaml"),
                                      ("regista help conf\t", "config ")):

@@ -47,7 +47,7 @@ class Equality(tournament.Tournament):
 
     def test_another_word(self):
         self.assertEqual(self.refused(*self.arguments("--isolation", "allways")),
-                         'unknown value "allways" in --isolation; nearest: "always"; known: after-death, always')
+                         '--isolation allways: isolation: unknown value "allways"; nearest: "always"; known: after-death, always')
 
 
 class ShippedTeams(program.ShippedCase):

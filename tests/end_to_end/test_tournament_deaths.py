@@ -180,7 +180,7 @@ class Deaths(tournament.Tournament):
         self.assertEqual((report["matches"], [team["failures"] for team in report["teams"]]), (4, [4, 0]))
         self.assertEqual(report["set_aside"], [{"team": "bad", "plugin": "aborts", "failures": 4, "after_pair": 2}])
         self.assertEqual(len(self.table()), 4)
-        self.assertIn("--failures-in-a-row: was 3, now 0", self.refused(
+        self.assertIn("failures_in_a_row: was 3, now 0", self.refused(
             *self.arguments(*words[:-1], "0", "--resume", teams=teams, pairs=50)))
 
     def test_without_the_team_that_was_set_aside_the_others_play_on(self):

@@ -95,22 +95,23 @@ class Verdicts(tournament.Tournament):
     def test_tests_that_contradict_each_other(self):
         ask = lambda *more, **options: self.refused(*self.arguments(*more, **options))
         teams = ("--team", "small.yaml", "--team", "other.yaml")
-        self.assertIn("--sprt and --metric: a tournament has one test", ask("--sprt", "0,10", "--metric", "goals"))
-        self.assertIn("--beta 0.1: belongs to --sprt", ask("--beta", "0.1"))
-        self.assertIn("--beta 0.1: belongs to --sprt", ask("--beta", "0.1", "--metric", "goals"))
-        self.assertIn("--model logistic: belongs to --sprt", ask("--model", "logistic"))
-        self.assertIn("--alpha 0.1: belongs to --sprt or --metric", ask("--alpha", "0.1"))
-        self.assertIn("--sprt: ", ask("--sprt", "10,0"))
-        self.assertIn("--alpha 0.6 and --beta 0.5", ask("--sprt", "0,10", "--alpha", "0.6", "--beta", "0.5"))
-        self.assertIn("how many pairs of matches at most? Say --pairs N", self.refused("tournament", *teams, "--metric",
-                                                                                      "goals"))
+        self.assertIn("--metric goals: test: expected exactly one of elo, metric", ask("--sprt", "0,10", "--metric", "goals"))
+        self.assertIn("--beta 0.1: test: expected one of elo, metric", ask("--beta", "0.1"))
+        self.assertIn("--beta 0.1: test.beta: makes sense only with elo", ask("--beta", "0.1", "--metric", "goals"))
+        self.assertIn("--model logistic: test: expected one of elo, metric", ask("--model", "logistic"))
+        self.assertIn("--model logistic: test.model: belongs to elo", ask("--model", "logistic", "--metric", "goals"))
+        self.assertIn("--alpha 0.1: test: expected one of elo, metric", ask("--alpha", "0.1"))
+        self.assertIn("--sprt 10,0: test.elo: ", ask("--sprt", "10,0"))
+        self.assertIn("--beta 0.5: test: alpha and beta: their sum must be below 1",
+                      ask("--sprt", "0,10", "--alpha", "0.5", "--beta", "0.5"))
+        self.assertIn("tournament: pairs: how many at most?", self.refused("tournament", *teams, "--metric", "goals"))
         self.assertIn("a sequential test is between two teams", ask("--sprt", "0,10", teams=THREE))
         self.assertIn("a sequential test is between two teams", ask("--metric", "goals", teams=THREE))
         self.assertIn('nearest: "striker.overlap_seconds"', ask("--metric", "striker.overlap_secnods"))
         self.assertIn('nearest: "goals"', ask("--metric", "gaols"))
-        self.assertIn("--metric packets_share: whole matches have none",
+        self.assertIn("--metric packets_share: test.metric packets_share: whole matches have none",
                       self.refused("tournament", *teams, "--metric", "packets_share", "--pairs", "2"))
-        self.assertIn('--model; nearest: "logistic"', ask("--sprt", "0,10", "--model", "logistics"))
+        self.assertIn('test.model: unknown value "logistics"; nearest: "logistic"', ask("--sprt", "0,10", "--model", "logistics"))
         self.assertEqual([file.name for file in self.folder.glob("*.db*")], [])
 
 
@@ -159,7 +160,7 @@ class Formats(tournament.Tournament):
         self.assertEqual(self.labels(), expected)
         self.assertEqual((report["format"], len(report["pairings"])), ("gauntlet", 2))
         changed = self.refused(*self.arguments("--resume", teams=THREE, pairs=2))
-        self.assertIn("--format: was gauntlet, now round_robin", changed)
+        self.assertIn("format: was gauntlet, now round_robin", changed)
 
     def test_values_for_the_third_team(self):
         changed = ("--set", "c.utility.terms.near.params.scale=3")

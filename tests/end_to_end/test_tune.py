@@ -63,13 +63,6 @@ class Tuning(tournament.Tournament):
     def tune(self, *more):
         return json.loads(self.succeed(*self.arguments("--quiet", "--json", *more)))
 
-    def comparison(self, *more, algorithms="spsa,random_search", repeats=3):
-        return self.arguments("--quiet", "--compare", algorithms, "--repeats", repeats, "--set",
-                              "verification.against=opponents", "--set", "verification.matches=8", *more)
-
-    def compare(self, *more, **what):
-        return self.succeed(*self.comparison(*more, **what))
-
     def assert_same_matches(self, file, alone):
         """alone: played by one worker. Others may have been under way when the verification was decided: these are
         beyond its last pair, and count for nothing."""
@@ -257,51 +250,6 @@ class Played(Tuning):
         self.assertEqual(*(each[each.index("\nutility:"):] for each in tuned))  # what stands before it is called by the file
         self.assert_same_matches("trial.db", "whole.db")
 
-    def test_compare(self):
-        told = self.compare("--json", "--trace", "runs.csv")
-        report = json.loads(told)
-        self.assertEqual([each["algorithm"] for each in report["compared"]], ["spsa", "random_search"])
-        for each in report["compared"]:
-            self.assertEqual(len(each["runs"]), 3)
-            self.assertTrue(all(0 < run["matches"] <= 40 for run in each["runs"]))
-            values = sorted(run["judged"]["mean"] for run in each["runs"])
-            self.assertAlmostEqual(each["difference_quartiles"][1], values[1])
-        self.assertFalse((self.folder / "trial.tuned.yaml").exists())
-        self.assertEqual(self.succeed("report", "trial.compare.db", "--json"), told)
-        self.assertEqual([(row["algorithm"], row["repeat"]) for row in self.trace("runs.csv")],
-                         [(each, str(repeat)) for repeat in (1, 2, 3) for each in ("spsa", "random_search")])
-        self.assertEqual(self.succeed("report", "trial.compare.db", "--csv"), (self.folder / "runs.csv").read_text())
-        # The search of a run is the same with whatever else it is compared.
-        alone = json.loads(self.compare("--json", "--results", "alone.db", algorithms="random_search", repeats=1))
-        for key in ("values", "seen", "matches", "evaluations", "ended"):
-            self.assertEqual(alone["compared"][0]["runs"][0][key], report["compared"][1]["runs"][0][key])
-        # It is a study of its own.
-        begun = "--resume: trial.compare.db was begun with something else: "
-        line = self.refused(*self.arguments("--quiet", "--results", "trial.compare.db", "--resume"))
-        self.assertIn(begun + "it was a comparison of search algorithms, now a tuning; ", line)
-        line = self.refused(*self.comparison("--resume", repeats=4))
-        self.assertIn(begun + "--repeats: was 3, now 4; ", line)
-        # As the program wrote it before: a tuning with a list of algorithms.
-        plan = json.loads(self.stored("SELECT value FROM meta WHERE name = 'schedule'", "trial.compare.db")[0][0])
-        self.assertEqual(plan["study"], "search_comparison")
-        before = {"study": "tuning", "version": 1, **plan["tuning"], "compared": plan["algorithms"],
-                  "repeats": plan["repeats"]}
-        self.change("UPDATE meta SET value = '" + json.dumps(before).replace("'", "''") + "' WHERE name = 'schedule'",
-                    "trial.compare.db")
-        self.assertEqual(self.succeed("report", "trial.compare.db", "--json"), told)
-        self.assertEqual(self.compare("--json", "--resume"), told)
-
-    @unittest.skipIf(program.SANITIZED, "two comparisons take too long with sanitizers")
-    def test_interrupted_comparison_is_resumed(self):
-        told = self.compare("--json", "--results", "once.db", repeats=2)
-        for wanted in (5, 60):
-            resume = ["--resume"] if wanted > 5 else []
-            self.kill_when(lambda: self.count("trial.compare.db") >= wanted,
-                           *self.comparison(*resume, repeats=2))
-            self.assertIn("the comparison is not at its end", self.run_program("report", "trial.compare.db").stderr)
-        self.assertEqual(self.succeed("resume", "trial.compare.db", "--quiet", "--json", "--no-page"), told)
-        self.assertEqual(self.rows("trial.compare.db"), self.rows("once.db"))
-
     def test_packets_of_short_games_are_told_again(self):
         """By who reads no other numbers, because the scores decide."""
         for name, y in (("left", 0.3), ("right", -0.3)):  # where most kicks are goals
@@ -348,14 +296,6 @@ class Page(Tuning):
         before = page
         self.succeed("report", "trial.db", "-o", "again.html")
         self.assertEqual((self.folder / "again.html").read_text(), before)
-
-    def test_page_of_a_comparison(self):
-        self.compare(repeats=1)
-        page = (self.folder / "trial.compare.html").read_text()
-        self.assertIn("Median difference in ", page)
-        self.assertTrue((self.folder / "trial.compare.figures" / "algorithms.svg").exists())
-        self.succeed("report", "trial.compare.db", "-o", "again.html")
-        self.assertEqual((self.folder / "again.html").read_text(), page)
 
 
 class BadInput(Tuning):
@@ -405,14 +345,6 @@ class BadInput(Tuning):
                           self.refused(*self.arguments()))
         self.document(algorithm="sbplx", search=", population: 8")
         self.assertIn("search.population: sbplx has none", self.refused(*self.arguments()))
-        self.document()
-        self.assertIn('--compare: unknown algorithm "spas"', self.refused(*self.arguments("--compare", "spsa,spas")))
-        self.assertEqual(self.refused(*self.arguments("--compare", "spsa,spsa")), "--compare: spsa is given twice")
-        self.assertEqual(self.refused(*self.arguments("--compare", "spsa")),
-                         "t.yaml:13:53: verification.against: what is compared is judged against the opponents; set it to "
-                         "opponents")
-        self.assertEqual(self.refused(*self.arguments("--repeats", 3)),
-                         "--repeats: belongs to --compare, which is not given")
 
     def test_budgets(self):
         self.document(matches=4)

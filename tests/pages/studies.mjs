@@ -64,11 +64,6 @@ const commands = (teams, openings) => {
     sweep: experiment("sweep", 2),
     named_values: experiment("named_values", 2),
     tuning: { words: ["tune", "tuning.yaml"], figures: 4 },
-    algorithms: {
-      words: ["tune", "tuning.yaml", "--compare", "spsa,random_search", "--repeats", "3", "--set",
-              "verification.against=opponents", "--set", "verification.matches=8"],
-      figures: 1,
-    },
   };
 };
 

@@ -1,4 +1,4 @@
-#SPDX - License - Identifier : MIT
+# SPDX-License-Identifier: MIT
 """A study that the program does not know has all that the others have: workers, results that are continued, a report in
 every form, a page beside the results, matches that are played again, and refusals of what does not fit."""
 

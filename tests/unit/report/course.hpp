@@ -79,6 +79,14 @@ struct Course {
   std::optional<study::Tournament> tournament;
 };
 
+// A report without what was played.
+inline std::string without_played(std::string text) {
+  const std::size_t begin = text.find("Played:\n");
+  std::size_t end = text.find('\n', begin) + 1;
+  while (text.compare(end, 2, "  ") == 0) end = text.find('\n', end) + 1;
+  return text.erase(begin, end - begin);
+}
+
 inline study::ScoreTest sprt(double elo0, double elo1, statistics::Model model = statistics::Model::normalized) {
   study::ScoreTest out;
   out.design.model = model;

@@ -83,7 +83,7 @@ TEST(ExperimentFigures, ValuesThatAreNoNumbersHaveRows) {
   EXPECT_THAT(figures(plan)[0].commands, HasSubstr("filledcurves"));
   plan.asked.sweep->values = {text("a long name of a value that would not fit beside others"), text("b")};
   const Figure figure = figures(plan)[0];
-  EXPECT_THAT(figure.commands, AllOf(HasSubstr("set ytics scale 0 ('a long"), Not(HasSubstr("filledcurves"))));
+  EXPECT_THAT(figure.commands, AllOf(HasSubstr("set ytics scale 0 ('\"a long"), Not(HasSubstr("filledcurves"))));
   EXPECT_THAT(figure.csv, HasSubstr("\n1,b,"));
 }
 

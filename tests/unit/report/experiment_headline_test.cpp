@@ -129,7 +129,7 @@ TEST(ExperimentHeadline, WhereThereIsNoTest) {
   described.asked.primary.reset();
   EXPECT_EQ(headline(described, of({10, 30})), "The experiment names no primary measure, so nothing was tested.");
   EXPECT_EQ(headline(study::experiment_of(1, 1, 12), of({10})),
-            "Nothing was compared: the experiment plans no comparison.");
+            "arm 0 has 10.43 striker.overlap_seconds, min per 60 min. There is no other arm to compare it with.");
   ExperimentPlan equal = study::experiment_of(2, 1, 12);
   equal.conditions[1].jobs = equal.conditions[0].jobs;
   EXPECT_EQ(headline(equal, of({10, 10})), "arm 0 and arm 1 are equal by construction.");

@@ -200,12 +200,13 @@ TEST(TournamentPage, SaysWhatWasPlayed) {
   plan.openings = {{"o/x y.yaml", {"opening x", "7"}}};
   plan.plugins = {"my plugins"};
   const std::string text = played_text(what_was_played(plan));
-  EXPECT_THAT(text, AllOf(HasSubstr("team new (new.yaml, version "),
-                          HasSubstr("disturbance none (built in), set sender.params.period=4\n"),
-                          HasSubstr("), disturbance noise (noise.yaml)\n"), HasSubstr("rules small (small.yaml)\n"),
-                          HasSubstr("robot nao (built in)\n"), HasSubstr("set rules.team_size=5\n"),
-                          HasSubstr("games from 1 scene, 30 s at most\n"), HasSubstr("program 01234567\n"),
-                          HasSubstr("7 pairs, seeds from 3\n")));
+  EXPECT_THAT(
+      text,
+      AllOf(HasSubstr("  new (new.yaml, version "),
+            HasSubstr("disturbance none (built in), set sender.params.period=4\n"),
+            HasSubstr("), disturbance noise (noise.yaml)\n"),
+            HasSubstr("rules small (small.yaml), robot nao (built in)\n"), HasSubstr("set rules.team_size=5\n"),
+            HasSubstr("from 1 scene, 30 s at most; 7 pairs, seeds from 3\n"), HasSubstr("program 01234567; 10 s")));
   CourseRecord record(plan, *course.tournament);
   const std::string page = page_of(course, record, {"team: x\n", "team: x\n"});
   EXPECT_THAT(page, AllOf(HasSubstr("noise.yaml"),

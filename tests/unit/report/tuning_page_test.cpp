@@ -32,13 +32,14 @@ TEST(TuningPage, HasItsPartsInTheirOrder) {
   const study::TuningPlan plan = tuning_plan();
   const TunedCourse course(plan, [&](const campaign::Job& job) { return with_a_forfeit(plan, job, "out of memory"); });
   const std::string page = page_of(course);
-  EXPECT_THAT(ids(page), ElementsAre("findings", "setup", "convergence", "values", "slices", "finalists", "trace",
-                                     "failures", "reproduction"));
+  EXPECT_THAT(ids(page), ElementsAre("played", "findings", "setup", "convergence", "values", "slices", "finalists",
+                                     "trace", "failures", "base", "reproduction"));
   expect_sound(page);
   EXPECT_THAT(page, AllOf(HasSubstr("<h1 id=\"verdict\">The tuned team is better than the base team"),
                           HasSubstr("download=\"trace.csv\""), HasSubstr("out of memory"), HasSubstr("Regista 1.2.3"),
-                          HasSubstr("9f2c"), HasSubstr("regista tune x"), HasSubstr("document of spqr"),
-                          HasSubstr("the team that is tuned"), HasSubstr("how much the distance counts")));
+                          HasSubstr("9f2c"), HasSubstr("regista report weights.db --study again"),
+                          HasSubstr("Of its own."), HasSubstr("document of spqr"), HasSubstr("the team that is tuned"),
+                          HasSubstr("how much the distance counts")));
   EXPECT_EQ(count(page, "Here a figure is missing: gnuplot is not installed"), 4u);
   EXPECT_EQ(page, page_of(course));
 }

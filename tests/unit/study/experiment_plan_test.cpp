@@ -108,7 +108,7 @@ TEST(ExperimentPlan, WhatIsNoPlanIsRefused) {
   for (const auto& [what, instead] : {std::pair{R"("pairs":2)", R"("pairs":0)"},
                                       {R"("pairs":2)", R"("pairs":18446744073709551615)"},
                                       {R"(confidence: 0.95)", R"(confidence: 1.5)"},
-                                      {R"(measure: striker)", R"(measures: striker)"},
+                                      {R"(measure: \"striker)", R"(measures: \"striker)"},
                                       {R"("measures":[)", R"("measures":[],"more":[)"},
                                       {R"("version":2)", R"("version":3)"}}) {
     EXPECT_THROW(experiment_plan_from_json(with(what, instead)), std::invalid_argument) << instead;

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""Reports say what was played, and a stored study is played again from the folder that it is written to."""
+
+import contextlib
+import json
+import os
+import re
+import sqlite3
+import unittest
+
+import program
+import tournament
+
+STUDIES = program.SOURCE / "configs" / "studies"
+
+
+LIMIT = os.environ.get("REGISTA_LIMIT", "5")  # seconds of a match; 60 takes minutes
+
+
+def hashes(results):
+    with contextlib.closing(sqlite3.connect(results)) as database:
+        return database.execute("SELECT row, hash FROM matches ORDER BY row").fetchall()
+
+
+class Again(tournament.Tournament):
+    def write_again(self, results, more=()):
+        """The folder; what it plays is the same, match for match."""
+        folder = self.folder / f"again_{results}"
+        self.succeed("report", results, "--study", folder.name)
+        study = (folder / "study.yaml").read_text()
+        self.assertNotIn(str(self.folder), study)
+        done = self.run_program("run", "study.yaml", "--results", "again.db", "--quiet", "--no-page", *more, cwd=folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(hashes(folder / "again.db"), hashes(self.folder / results))
+        return folder, done.stdout
+
+    def test_a_tournament_with_a_disturbance_of_one_team(self):
+        self.write("wind.yaml", "disturbance: wind\nradio: {loss: 0.5}\n")
+        self.write("night.yaml", "tournament: night\nteams: [{team: small.yaml}, {team: small.yaml, disturbance: wind.yaml}]\n"
+                                 "pairs: 1\nlimit: 10\nset: {b.utility.terms.near.params.scale: 2, rules.durations.set: 3}\n"
+                                 "isolation: always\n")
+        text = self.succeed("tournament", "night.yaml", "--quiet")
+        self.assertRegex(text, r"\n  small \(a\) \(small\.yaml, version \w{8}\), disturbance none \(built in\)\n"
+                               r"  small \(b\) \(small\.yaml, version \w{8}\), disturbance wind \(wind\.yaml\), set "
+                               r"utility\.terms\.near\.params\.scale=2\n")
+        self.assertIn("\n  set rules.durations.set=3\n", text)
+        played = json.loads(self.succeed("report", "night.db", "--json"))["played"]
+        self.assertEqual([each["disturbance"] for each in played["teams"]],
+                         [{"name": "none", "file": None}, {"name": "wind", "file": "wind.yaml"}])
+        page = (self.folder / "night.html").read_text()
+        self.assertIn("<code class=\"path\">disturbance</code></td><td><code>none</code></td>"
+                      "<td><code>wind (wind.yaml)</code>", page)
+        self.assertIn("regista report night.db --study again", page)
+        (self.folder / "wind.yaml").unlink()  # the results know it
+        self.write_again("night.db")
+
+    def test_an_experiment_with_a_sweep(self):
+        self.write("e.yaml", "experiment: e\narms: [{name: one, team: small.yaml}, {name: two, team: other.yaml, set: "
+                             "{utility.terms.near.params.scale: 2}}]\nopponent: small.yaml\nmatches: 2\nlimit: 5\n"
+                             "sweep: {path: rules.durations.set, values: [2, 3]}\nprimary: {measure: packets}\n"
+                             "allow_shared_memory: true\n")
+        self.succeed("experiment", "e.yaml", "--quiet", "--no-page", "--seed", "4")
+        folder, text = self.write_again("e.db")
+        self.assertIn("at each of 2 values of rules.durations.set, seeds from 4", text)
+        self.assertIn("robots of a team may share memory", text)
+
+    def test_what_is_another_now_is_reported_before_play(self):
+        self.play()
+        self.succeed("report", "tournament.db", "--study", "again")
+        study = self.folder / "again" / "study.yaml"
+        text = study.read_text()
+        study.write_text(re.sub(r'"plugin (\S+) \S+ \w{32}"', r'"plugin \1 \1 00000000000000000000000000000000"', text, 1))
+        done = self.run_program("run", "study.yaml", "--quiet", "--no-page", cwd=study.parent)
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"plugin \S+ is not what this study was played with before\n")
+
+    def test_what_cannot_be_written(self):
+        self.play()
+        self.assertIn("exists already", self.refused("report", "tournament.db", "--study", "."))
+        self.assertIn("--study writes the study, and nothing else",
+                      self.refused("report", "tournament.db", "--study", "again", "--json"))
+        self.assertIn("there is no folder", self.refused("report", "tournament.db", "--study", "no/again"))
+
+
+class ShippedStudies(program.ShippedCase):
+    """Each, cut to its fewest pairs or matches and to short games."""
+
+    FEWEST = {
+        "tournament": ("--pairs", "1"),
+        "experiment": ("--matches", "2"),
+        "tuning": ("--matches", "200", "--set", "search.algorithm=random_search", "--set", "selection={finalists: 1, matches: 20}", "--set",
+                   "verification={candidates: 1, matches: 200}", "--set", "slices.points=0"),
+    }
+
+    def test_each_is_played_again(self):
+        played = 0
+        for document in sorted(STUDIES.glob("*.yaml")):
+            text = document.read_text()
+            kind = next((each for each in self.FEWEST if re.search(rf"^{each}:", text, re.M)), None)
+            if kind is None:
+                continue  # of a predictor
+            with self.subTest(document.name):
+                command = "tune" if kind == "tuning" else kind
+                self.succeed(command, document, "--limit", LIMIT, "--quiet", "--no-page", "--play-once", "--results",
+                             f"{document.stem}.db", *self.FEWEST[kind])
+                self.succeed("report", f"{document.stem}.db", "--study", document.stem)
+                self.succeed("run", "study.yaml", "--results", "again.db", "--quiet", "--no-page",
+                             cwd=self.folder / document.stem)
+                self.assertEqual(hashes(self.folder / document.stem / "again.db"),
+                                 hashes(self.folder / f"{document.stem}.db"))
+                played += 1
+        self.assertGreater(played, 4)
+
+
+if __name__ == "__main__":
+    unittest.main()
