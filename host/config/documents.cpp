@@ -290,7 +290,10 @@ Node set_in(const Node& document, const Override& override) {
 
 // Another value, or none.
 Node replaced(const Node& document, const Override& option) {
-  const bool there = static_cast<bool>(value_at(document, option.path));
+  const Node before = value_at(document, option.path);
+  const bool there = static_cast<bool>(before);
+  // What another option has laid there stays: the two contradict each other, which the reader says.
+  if (there && option.value.kind() == Node::Kind::null && before.where().is_laid()) return document;
   const Node without = there ? with(document, option.path, Node::null(option.where), option.where) : document;
   return option.value.kind() == Node::Kind::null ? without : with(without, option.path, option.value, option.where);
 }

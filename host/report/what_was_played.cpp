@@ -42,8 +42,6 @@ std::string games_of(const config::MatchSettings& settings, std::size_t scenes) 
 std::string limits_of(const config::MatchSettings& settings) {
   std::string out =
       fmt::format("{} s of processor time a call, {} MiB", settings.limits.processor_seconds, settings.limits.memory);
-  if (settings.isolation == config::Isolation::always) out += ", each team in a process of its own";
-  if (!settings.play_twice) out += ", no match played twice";
   if (settings.allow_shared_memory) out += ", robots of a team may share memory";
   return out;
 }
@@ -114,7 +112,7 @@ std::vector<std::string> played_with(const WhatWasPlayed& played) {
       name = "file " + std::filesystem::path(name.substr(5, of - 5)).filename().string() +
              name.substr(std::min(of, name.size()));
     }
-    const std::string line = fmt::format("{} {}", visible(name), input.hash);
+    const std::string line = fmt::format("{} {}", visible(name), input.hash.substr(input.hash.rfind(' ') + 1));
     if (std::ranges::find(out, line) == out.end()) out.push_back(line);
   };
   std::ranges::for_each(played.inputs, add);

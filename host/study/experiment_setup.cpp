@@ -86,7 +86,7 @@ class Planner {
       const config::Overrides settings = settings_of(plan_.asked, document_, condition.arm, condition.value);
       for (const std::size_t side : {0u, 1u}) {
         campaign::Job& job = condition.jobs[side];
-        campaign::MatchSetup prepared = match_of(job, on_side(settings, side), catalogue_);
+        campaign::MatchSetup prepared = match_of(job, on_side(settings, side), settings, catalogue_);
         job.home_inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue_);
         job.away_inputs = campaign::team_inputs(*prepared.plans[1], *prepared.documents[1], catalogue_);
         job.common_inputs = campaign::common_inputs(prepared.setup, program, mathematics);

@@ -130,14 +130,26 @@ campaign::Job job_under(const config::MatchSettings& settings, const std::vector
 }
 
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
-                              const plugin::Catalogue& catalogue) {
+                              const config::Overrides& said, const plugin::Catalogue& catalogue) {
   campaign::MatchRequest request = campaign::request_of(job);
   request.overrides = settings;
   for (config::Override& each : request.overrides) {
     each.value = each.value.laid();
     each.where.laid = true;
   }
-  return campaign::match_setup(request, catalogue);
+  try {
+    return campaign::match_setup(request, catalogue);
+  } catch (const config::Error& error) {
+    // In a document its place does not say which path it was laid over.
+    const auto is_of = [&error](const config::Location& where) {
+      return where.line > 0 && where.line == error.where().line && where.column == error.where().column &&
+             where.file == error.where().file;
+    };
+    const auto blamed = std::ranges::find_if(
+        settings, [&](const config::Override& each) { return is_of(each.where) || is_of(each.value.where()); });
+    if (blamed == said.end()) throw;
+    throw config::Error(error.where(), fmt::format("{}: {}", blamed->path, error.message()));
+  }
 }
 
 }  // namespace regista::study

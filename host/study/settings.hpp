@@ -33,9 +33,9 @@ std::vector<std::string> as_typed(const config::Overrides& settings);
 // Rules, robot and limit. plugins: folders.
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins);
 
-// The match of a job with these settings in the place of its own texts. Throws config::Error at the place in the
-// study's document, or in another, that asks for what cannot be.
+// The match of a job with these settings in the place of its own texts. said: the same as the study's document has
+// them. Throws config::Error at the place there, or in another document, that asks for what cannot be.
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
-                              const plugin::Catalogue& catalogue);
+                              const config::Overrides& said, const plugin::Catalogue& catalogue);
 
 }  // namespace regista::study

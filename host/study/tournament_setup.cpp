@@ -117,7 +117,10 @@ class Planner {
       for (const char* const side : {"home.", "away."})
         addressed.emplace_back(side + each.path, each.value, each.where);
     }
-    return match_of(job(plan, fixture), addressed, catalogue_);
+    config::Overrides said;
+    for (const config::Node::Entry& each : plan.asked.settings.set.entries())
+      said.emplace_back(each.key, each.value, each.key_where);
+    return match_of(job(plan, fixture), addressed, said, catalogue_);
   }
 
   void find_scenes() {

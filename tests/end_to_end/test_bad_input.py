@@ -162,7 +162,7 @@ class Overrides(BadInput):
 
     def test_no_value(self):
         self.assert_match_refused(("--set", "rules.team_size"), "--set rules.team_size: expected path=value")
-        self.assert_match_refused(("--set", "=3"), "--set =3: home team: expected path=value")
+        self.assert_match_refused(("--set", "=3"), "--set =3: expected path=value")
         self.assert_match_refused(("--set", "rules.team_size="),
                                   "--set rules.team_size=: expected a value; ~ takes an entry away, '' is an empty text")
 

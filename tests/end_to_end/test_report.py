@@ -202,12 +202,12 @@ class Report(tournament.Tournament):
     def test_a_plan_that_was_changed(self):
         self.play(pairs=4)
         whole = (self.folder / "tournament.db").read_bytes()
-        fewer = "UPDATE meta SET value = replace(value, '\"pairs\":4', '\"pairs\":3') WHERE name = 'schedule'"
+        fewer = "UPDATE meta SET value = replace(value, 'pairs: 4', 'pairs: 3') WHERE name = 'schedule'"
         for statement, line, mend in (
                 (fewer, "the checksum of the plan of its study does not fit", False),
                 # Written by somebody who knows the checksum, or in a file of an older program.
                 (fewer, "match 7: the study did not plan it", True),
-                ("UPDATE meta SET value = replace(value, '\"first_seed\":1', '\"first_seed\":2') WHERE name = 'schedule'",
+                ("UPDATE meta SET value = replace(value, 'seed: 1', 'seed: 2') WHERE name = 'schedule'",
                  "match 1: the study did not plan it", True),
                 ("UPDATE matches SET row = 100 WHERE row = 8", "match 100: ", True),
                 ("UPDATE meta SET value = '[]' WHERE name = 'documents'",

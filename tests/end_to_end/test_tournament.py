@@ -261,10 +261,10 @@ set: {a.utility.terms.near.params.scale: 3}
         self.assertIn("bad.yaml:5:11: openings", told("openings: scenes", "openings: none"))
         self.assertIn("bad.yaml:5:20: openings: scenes/left.yaml is given twice",
                       told("openings: scenes", "openings: [scenes, scenes/left.yaml]"))
-        self.assertIn('bad.yaml:7:42: parameter "scale" of plugin nearness: "large" is not a number', told("scale: 3", "scale: large"))
+        self.assertIn('bad.yaml:7:42: a.utility.terms.near.params.scale: parameter "scale" of plugin nearness: "large" is not a number', told("scale: 3", "scale: large"))
         self.assertIn("bad.yaml:7:7: home.x: in a tournament each team plays on both sides",
                       told("a.utility.terms.near.params.scale", "home.x"))
-        self.assertIn("bad.yaml:7:7: unknown parameter ",
+        self.assertIn("bad.yaml:7:7: a.utility.terms.near.params.scal: unknown parameter ",
                       told("a.utility.terms.near.params.scale", "a.utility.terms.near.params.scal"))
         # A document and an option that cannot both be; an option of another study.
         self.write("night.yaml", self.PAGE.replace("pairs: 3", "pairs: 3\ntest: {metric: goals}"))
