@@ -13,7 +13,6 @@
 #include "report/estimate_text.hpp"
 #include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
-#include "report/more_pairs.hpp"
 #include "report/number.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"

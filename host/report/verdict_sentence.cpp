@@ -11,9 +11,9 @@
 #include "report/elo_interval.hpp"
 #include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
-#include "report/more_pairs.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
+#include "report/visible_text.hpp"
 
 namespace regista::report {
 namespace {
@@ -280,6 +280,13 @@ VerdictSentence verdict_sentence(const TournamentView& view) {
                                  forfeits == 1 ? "was" : "were", forfeits == 1 ? "counts" : "count")));
   }
   return out;
+}
+
+std::string more_pairs_sentence(const std::string& before) {
+  return fmt::format(
+      "It had {} pairs before it was given more. A p value and an interval hold for a number that was fixed "
+      "beforehand: whoever adds pairs until the result pleases finds differences that are not there.",
+      visible(before));
 }
 
 }  // namespace regista::report

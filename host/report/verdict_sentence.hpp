@@ -3,6 +3,7 @@
 // beside it lest it say too much.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "report/html.hpp"
@@ -19,5 +20,8 @@ struct VerdictSentence {
 // verdict, or for a fixed number of pairs the sign-flip test at 5 %, adjusted by Holm for the number of pairings. The
 // interval of Elo stands beside it only where interval_use() (elo_interval.hpp) lets it.
 VerdictSentence verdict_sentence(const TournamentView& view);
+
+// Of a study that was given more pairs after it was begun. before: those that it had.
+std::string more_pairs_sentence(const std::string& before);
 
 }  // namespace regista::report

@@ -146,7 +146,7 @@ campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides&
              where.file == error.where().file;
     };
     const auto blamed = std::ranges::find_if(
-        settings, [&](const config::Override& each) { return is_of(each.where) || is_of(each.value.where()); });
+        said, [&](const config::Override& each) { return is_of(each.where) || is_of(each.value.where()); });
     if (blamed == said.end()) throw;
     throw config::Error(error.where(), fmt::format("{}: {}", blamed->path, error.message()));
   }

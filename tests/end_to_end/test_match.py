@@ -27,7 +27,7 @@ class Match(program.Case):
 
     def test_json_keys(self):
         result = self.play()
-        self.assertEqual(list(result)[:10], ["teams", "score", "seed", "ended", "simulated_seconds", "wall_seconds",
+        self.assertEqual(list(result)[:11], ["played", "teams", "score", "seed", "ended", "simulated_seconds", "wall_seconds",
                                              "state_hash", "failures", "playing_seconds", "in_play_seconds"])
         self.assertEqual(result["teams"], ["small", "small"])
         self.assertEqual(result["ended"], "limit")
@@ -60,7 +60,8 @@ class Match(program.Case):
         result = self.play()
         page = self.succeed(*SHORT)
         score = result["score"]
-        self.assertTrue(page.startswith(f"small {score[0]} : {score[1]} small\n"), page)
+        self.assertTrue(page.startswith("Played:\n"), page)
+        self.assertIn(f"\nsmall {score[0]} : {score[1]} small\n", page)
         self.assertIn("at the time limit, after 30.0 s\n", page)
         self.assertRegex(page, r"(?m)^seed +1$")
         self.assertRegex(page, rf"(?m)^state hash +{result['state_hash']}$")
@@ -109,7 +110,7 @@ class Match(program.Case):
                          self.values_of(json.loads(self.succeed(*match, *share))))
 
     def values_of(self, match):
-        return {key: value for key, value in match.items() if key != "wall_seconds"}
+        return {key: value for key, value in match.items() if key not in ("played", "wall_seconds")}
 
     def test_disturbances_by_side(self):
         profiles = program.SOURCE / "configs" / "disturbances"

@@ -25,9 +25,10 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Types of values that are no files, as the help calls them.
-constexpr std::array plain{"CHECK",          "NAME=VALUE",  "N",          "SECONDS", "TIME",      "MIB",     "RATE",
-                           "ELO0,ELO1",      "NAME",        "PATH=VALUE", "ID",      "COUNTS",    "A,B,...", "H0,H1",
-                           "[home/|away/]N", "[HALF/]M:SS", "MATCH",      "X,Y",     "NEW_FOLDER"};
+constexpr std::array plain{"CHECK",   "A,B",       "TEXT",    "NUMBER", "MINUTES",        "NAME=VALUE",  "N",
+                           "SECONDS", "TIME",      "MIB",     "RATE",   "ELO0,ELO1",      "NAME",        "PATH=VALUE",
+                           "ID",      "COUNTS",    "A,B,...", "H0,H1",  "[home/|away/]N", "[HALF/]M:SS", "MATCH",
+                           "X,Y",     "NEW_FOLDER"};
 
 class OutputFilesTest : public testing::Test {
  protected:
