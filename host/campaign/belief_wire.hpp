@@ -2,8 +2,8 @@
 // What a mind believes as bytes: see config/bytes.hpp.
 #pragma once
 
-#include "config/bytes.hpp"
 #include "match/belief.hpp"
+#include "text/bytes.hpp"
 
 namespace regista::match {
 

@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "config/bytes.hpp"
 #include "match/digest.hpp"
 #include "match/outcome.hpp"
+#include "text/bytes.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -72,7 +72,7 @@ class TrailReader {
   }
 
  private:
-  config::BytesIn bytes_;
+  text::BytesIn bytes_;
   std::vector<Name> names_;
 };
 
@@ -108,7 +108,7 @@ void TrailWriter::add(const match::Decision& decision, std::span<const plugin::C
     outcome.add(each.sum);
     outcome.add(each.last);
   }
-  config::BytesOut bytes;
+  text::BytesOut bytes;
   Entry entry{decision.time, static_cast<std::int32_t>(match::index(decision.side)), decision.number, outcome.value(),
               static_cast<std::uint32_t>(answers.size())};
   bytes(entry);

@@ -8,7 +8,7 @@
 
 #include "campaign/metric_json.hpp"
 #include "campaign/whole_number.hpp"
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::campaign {
 namespace {

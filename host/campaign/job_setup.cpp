@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "campaign/inputs.hpp"
-#include "config/text.hpp"
 #include "process/program.hpp"
+#include "text/message.hpp"
 
 namespace regista::campaign {
 
@@ -74,7 +74,7 @@ std::string what_changed(const Job& job, const FoundInputs& now) {
       if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
     }
   }
-  return config::join(changed);
+  return text::join(changed);
 }
 
 }  // namespace regista::campaign

@@ -2,8 +2,8 @@
 #include "campaign/match_json.hpp"
 
 #include "campaign/metric_json.hpp"
-#include "config/json.hpp"
 #include "match/names.hpp"
+#include "text/json.hpp"
 
 namespace regista::campaign {
 

@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "config/json.hpp"
 #include "match/side.hpp"
+#include "text/json.hpp"
 
 namespace regista::campaign {
 namespace {

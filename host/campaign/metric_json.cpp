@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::campaign {
 namespace {

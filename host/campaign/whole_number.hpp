@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::campaign {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "check/allocations.hpp"
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 
 #ifndef REGISTA_SANITIZED
 #include <regista/testkit/count_allocations.hpp>

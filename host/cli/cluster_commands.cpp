@@ -9,9 +9,9 @@
 #include "cli/cluster_step.hpp"
 #include "cli/commands.hpp"
 #include "cluster/study_folder.hpp"
-#include "config/json.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
+#include "text/json.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -81,9 +81,9 @@ int tell_status(const FolderOptions& options) {
     output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
     return exit_done;
   }
-  std::string text = fmt::format("{}: {}\n", config::one_line(progress.title), name_of(progress.state));
+  std::string text = fmt::format("{}: {}\n", text::one_line(progress.title), name_of(progress.state));
   const auto line = [&text](const std::string& said) {
-    if (!said.empty()) text += fmt::format("  {}\n", config::one_line(said));
+    if (!said.empty()) text += fmt::format("  {}\n", text::one_line(said));
   };
   line(progress.message);
   line(in_words(status));

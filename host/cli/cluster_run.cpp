@@ -20,12 +20,12 @@
 #include "cluster/slurm.hpp"
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
-#include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "process/program.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -42,7 +42,7 @@ std::string line_of(const std::vector<std::string>& words) { return process::she
 std::string command_of(const char* name, const StudyFolder& folder) {
   return line_of({"regista", name, folder.root().string()});
 }
-std::string name_of(const StudyFolder& folder) { return config::one_line(folder.root().string()); }
+std::string name_of(const StudyFolder& folder) { return text::one_line(folder.root().string()); }
 
 Settings settings_of(const ClusterOptions& options, const campaign::Options& campaign) {
   Settings out;
@@ -124,7 +124,7 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   using enum output::OutputFiles::Page;
   output::OutputFiles outputs({}, "study");
   outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
-  if (!options.quiet) command::say(fmt::format("results: {}\n", config::one_line(own.results)));
+  if (!options.quiet) command::say(fmt::format("results: {}\n", text::one_line(own.results)));
   if (kind.go_on) return kind.go_on(plan, own, outputs, invocation);
   campaign::Store store = open_results(own.results, true, report->study(), {}, invocation.studies);
   StudyWishes wishes;
@@ -285,10 +285,10 @@ int tell_step(const StudyFolder& folder, const ClusterStep& step, const campaign
   for (const std::string& each : step.gathered.remarks) complain(each);
   if (step.gathered.refused > 0)
     complain(fmt::format("{} matches do not fit; their parts are kept in {}", step.gathered.refused,
-                         config::one_line(folder.set_aside().string())));
+                         text::one_line(folder.set_aside().string())));
   if (step.progress.state == Progress::State::complete) return finish(folder, step.progress, options, invocation);
   if (step.progress.state == Progress::State::failed)
-    throw BadInput(fmt::format("{}; to go on: {}", config::one_line(step.progress.message), command_to_go_on(folder)));
+    throw BadInput(fmt::format("{}; to go on: {}", text::one_line(step.progress.message), command_to_go_on(folder)));
   if (!options.quiet) {
     std::string text = fmt::format("{} matches gathered", step.gathered.rows);
     if (step.submitted > 0) text += ", " + in_words(step.progress.batches.back());

@@ -19,10 +19,10 @@
 #include "cluster/batch.hpp"
 #include "cluster/missing.hpp"
 #include "cluster/slurm.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
 #include "output/replaced_file.hpp"
 #include "process/program.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -295,7 +295,7 @@ std::string what_differs_here(const campaign::Job& planned) {
     out.emplace_back("its program is another");
   if (campaign::input_of(planned, campaign::mathematics_input) != campaign::mathematics_fingerprint())
     out.emplace_back("its mathematics library or processor computes other numbers");
-  return config::join(out);
+  return text::join(out);
 }
 
 std::vector<std::string> jobs_alive(const Progress& progress) {
@@ -313,7 +313,7 @@ void stop_study(const StudyFolder& folder) {
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
-    throw BadInput(fmt::format("stop: {}: the study is complete", config::one_line(folder.root().string())));
+    throw BadInput(fmt::format("stop: {}: the study is complete", text::one_line(folder.root().string())));
   try {
     find_unnoted_jobs(folder, settings, progress);
     cluster::cancel(jobs_alive(progress));

@@ -23,10 +23,10 @@
 #include "cluster/slice.hpp"
 #include "cluster/study_folder.hpp"
 #include "command/interruption.hpp"
-#include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
 #include "study/recording_place.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {

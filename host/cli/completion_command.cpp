@@ -8,8 +8,8 @@
 
 #include "cli/commands.hpp"
 #include "command/completion.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -31,7 +31,7 @@ int write(const std::string& shell, const command::CommandDeclaration& program) 
   } else if (shell == "zsh") {
     output::print(command::zsh_completion(program));
   } else {
-    throw BadInput("completion: " + config::unknown("shell", shell, "", std::vector<std::string>{"bash", "zsh"}));
+    throw BadInput("completion: " + text::unknown("shell", shell, "", std::vector<std::string>{"bash", "zsh"}));
   }
   return exit_done;
 }

@@ -7,9 +7,9 @@
 
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
-#include "config/json.hpp"
 #include "output/output.hpp"
 #include "study/document_check.hpp"
+#include "text/json.hpp"
 
 namespace regista::cli {
 namespace {

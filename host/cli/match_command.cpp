@@ -20,12 +20,12 @@
 #include "cli/prepared_match.hpp"
 #include "cli/replayed_match.hpp"
 #include "cli/stored_match.hpp"
-#include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/plugin_file.hpp"
 #include "report/what_was_played.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -191,7 +191,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
   if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
-    throw BadInput(config::unknown("value", options.log, "--log", log_levels));
+    throw BadInput(text::unknown("value", options.log, "--log", log_levels));
   }
   options.overrides = config::typed_overrides(options.set);
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
@@ -233,8 +233,8 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   const Files files = files_of(prepared);
   const report::WhatWasPlayed what = what_is_played(job, prepared, catalogue);
   if (failed && !options.quiet) {
-    complain(config::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
-                                          end_in_words(stored->decided))));
+    complain(text::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
+                                        end_in_words(stored->decided))));
   }
   const auto work = [&](campaign::WorkerNote& note) {
     // A match that failed has no hash to be compared with.

@@ -7,9 +7,9 @@
 
 #include "campaign/engine.hpp"
 #include "cli/common_names.hpp"
-#include "config/text.hpp"
 #include "match/names.hpp"
 #include "output/output.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 
@@ -33,10 +33,10 @@ int play_failed(const MatchOptions& options, const StoredMatch& stored, campaign
   }
   const bool same_side = now.failure && stored.decided.failure && now.failure->side == stored.decided.failure->side;
   if (same_side || (now.set_aside() && stored.decided.set_aside())) {
-    output::print(config::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
+    output::print(text::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
     return exit_done;
   }
-  complain(config::one_line(
+  complain(text::one_line(
       fmt::format("row {} {}; this time it {}", options.row, end_in_words(stored.decided), end_in_words(now))));
   return exit_no;
 }

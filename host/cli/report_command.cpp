@@ -14,12 +14,12 @@
 #include "cli/results_page.hpp"
 #include "cli/study_folder.hpp"
 #include "cli/study_run.hpp"
-#include "config/text.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "report/study_report.hpp"
-#include "report/visible_text.hpp"
+#include "text/message.hpp"
+#include "text/visible.hpp"
 
 namespace regista::cli {
 namespace {

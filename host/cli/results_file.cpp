@@ -14,10 +14,10 @@
 #include "campaign/inputs.hpp"
 #include "cli/common_names.hpp"
 #include "cluster/study_folder.hpp"
-#include "config/json.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
 #include "study/plan_names.hpp"
+#include "text/json.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -99,7 +99,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
                              const BegunWith& begun_with, std::span<const StudyKind> kinds) {
   std::error_code error;
   if (resume && std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
-    throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", config::one_line(file)));
+    throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", text::one_line(file)));
   }
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION,
@@ -118,7 +118,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     throw BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
                     "--results names a new file{}",
-                    file, config::join(changed), other_program(store)));
+                    file, text::join(changed), other_program(store)));
   });
 }
 
@@ -149,7 +149,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
     remark_on(*store_);
     return;
   }
-  const std::string first = config::one_line(files.front());
+  const std::string first = text::one_line(files.front());
   try {
     folder_ = std::make_unique<process::TemporaryFolder>();
   } catch (const std::system_error& error) {
@@ -160,7 +160,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
     for (const std::string& each : files) {
       const Store part = read_results(each);
       remark_on(part);
-      const std::string name = config::one_line(each), plan = part.meta(schedule);
+      const std::string name = text::one_line(each), plan = part.meta(schedule);
       if (store_->meta(schedule).empty()) {
         store_->set_meta(resolved_teams, part.meta(resolved_teams));
         store_->set_meta(schedule, plan);
@@ -170,7 +170,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
         // The folders in which they were begun may differ.
         const std::vector<std::string> changed = differences(name, plan, study->study(), kinds);
         if (!changed.empty())
-          throw BadInput(fmt::format("{} and {} are not of one study: {}", first, name, config::join(changed)));
+          throw BadInput(fmt::format("{} and {} are not of one study: {}", first, name, text::join(changed)));
       }
       const campaign::Taken taken = store_->take(part, Store::Unknown::planned);
       if (taken.refused > 0) throw BadInput(fmt::format("{}: {}", name, taken.why.front()));

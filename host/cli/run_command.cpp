@@ -11,7 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/study_commands.hpp"
 #include "config/documents.hpp"
-#include "config/text.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -53,11 +53,11 @@ int play_here(const RunOptions& options, const output::OutputFiles& outputs, con
     case predictor_study:
       throw BadInput(fmt::format(
           "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
-          config::one_line(options.file)));
+          text::one_line(options.file)));
     default:
       throw BadInput(
           fmt::format("run: {} is no study but of the kind {}; studies are tournament, experiment and tuning",
-                      config::one_line(options.file), config::name_of(kind)));
+                      text::one_line(options.file), config::name_of(kind)));
   }
 }
 

@@ -10,9 +10,9 @@
 #include "cli/common_names.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
-#include "config/text.hpp"
 #include "config/values.hpp"
 #include "output/new_folder.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -102,8 +102,7 @@ class Laying {
   std::string renamed(const std::string& name) {
     const fs::path path = absolute(name);
     if (is_taken(path)) return path.lexically_relative(root_).generic_string();
-    left_out.push_back(
-        fmt::format("{} is not in the results: it is named where it is", config::one_line(path.string())));
+    left_out.push_back(fmt::format("{} is not in the results: it is named where it is", text::one_line(path.string())));
     return path.string();
   }
 

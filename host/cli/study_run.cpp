@@ -16,10 +16,10 @@
 #include "cli/study_progress.hpp"
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
 #include "process/program.hpp"
 #include "study/recording_place.hpp"
+#include "text/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -181,7 +181,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
   output::print(options.json ? report.json() : report.text());
   if (options.no_page) return exit_done;
   const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
-  if (page && !options.quiet) command::say(fmt::format("page: {}\n", config::one_line(page->string())));
+  if (page && !options.quiet) command::say(fmt::format("page: {}\n", text::one_line(page->string())));
   return exit_done;
 }
 

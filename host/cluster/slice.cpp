@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "config/json.hpp"
 #include "study/study.hpp"
+#include "text/json.hpp"
 
 namespace regista::cluster {
 

@@ -11,15 +11,15 @@
 #include <system_error>
 
 #include "config/node.hpp"
-#include "config/text.hpp"
 #include "output/output.hpp"
 #include "plugin/failure.hpp"
+#include "text/message.hpp"
 
 namespace regista::command {
 
 void complain(std::string_view message) {
   // If standard error cannot be written to either, there is nobody left to tell.
-  const std::string line = fmt::format("regista: {}\n", config::one_line(message));
+  const std::string line = fmt::format("regista: {}\n", text::one_line(message));
   std::fwrite(line.data(), 1, line.size(), stderr);
   std::fflush(stderr);
 }

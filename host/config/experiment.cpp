@@ -11,7 +11,7 @@
 #include "config/line.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "config/text.hpp"
+#include "text/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -76,7 +76,7 @@ void require_arm(const Experiment& experiment, const Node& name) {
   std::vector<std::string> known;
   for (const Experiment::Arm& arm : experiment.arms) known.push_back(arm.name);
   if (std::ranges::find(known, name.text()) != known.end()) return;
-  throw Error(name.where(), "primary.compare: " + unknown("arm", name.text(), "", known));
+  throw Error(name.where(), "primary.compare: " + text::unknown("arm", name.text(), "", known));
 }
 
 void check_compared(const Experiment& experiment, Mistakes& mistakes) {
@@ -162,8 +162,8 @@ void check(const Experiment& experiment, const Node& document, Mistakes& mistake
     const std::string name = fmt::format("arms.{}.name", i), team = fmt::format("arms.{}.team", i);
     if (arm.name.empty() && !mistakes.doubtful(name)) mistakes.add(Error(arm.where, "arms: expected a name"), name);
     if (!arm.team.empty() || !experiment.team.empty() || mistakes.doubtful(team) || mistakes.doubtful("team")) continue;
-    mistakes.add(Error(arm.where,
-                       fmt::format("arm {}: which team? Name it here, or for all arms by `team`", in_quotes(arm.name))),
+    mistakes.add(Error(arm.where, fmt::format("arm {}: which team? Name it here, or for all arms by `team`",
+                                              text::in_quotes(arm.name))),
                  team);
   }
   if (experiment.matches && *experiment.matches % 2 != 0) {

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/json.hpp"
 #include "config/place.hpp"
 #include "config/scalar.hpp"
 #include "config/team_page.hpp"
+#include "text/json.hpp"
 
 namespace regista::config {
 namespace {

@@ -10,7 +10,7 @@
 #include "config/file.hpp"
 #include "config/flow.hpp"
 #include "config/scalar.hpp"
-#include "config/text.hpp"
+#include "text/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -199,7 +199,8 @@ class Page {
   void line(int indent, const std::string& content, const std::string& remark) {
     constexpr std::size_t column = 44;
     const std::string text = std::string(static_cast<std::size_t>(indent), ' ') + content;
-    text_ += remarks_ == Remarks::with ? fmt::format("{:<{}}  # {}\n", text, column, one_line(remark)) : text + '\n';
+    text_ +=
+        remarks_ == Remarks::with ? fmt::format("{:<{}}  # {}\n", text, column, text::one_line(remark)) : text + '\n';
   }
 
   std::span<const PluginDeclaration> plugins_;

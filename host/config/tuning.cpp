@@ -6,7 +6,7 @@
 #include "config/line.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "config/text.hpp"
+#include "text/message.hpp"
 
 namespace regista::config {
 namespace {

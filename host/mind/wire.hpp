@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "config/bytes.hpp"
 #include "mind/command.hpp"
 #include "mind/percepts.hpp"
+#include "text/bytes.hpp"
 
 namespace regista::mind {
 
@@ -92,7 +92,7 @@ void visit(Archive& archive, Outcome& outcome) {
           outcome.context, outcome.kept, outcome.target, outcome.announced, outcome.segments, outcome.metrics);
 }
 
-inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> heard) {
+inline void write_heard(text::BytesOut& bytes, std::span<const HeardPacket> heard) {
   const auto count = static_cast<std::uint32_t>(heard.size());
   bytes(count);
   for (const HeardPacket& packet : heard) {
@@ -103,7 +103,7 @@ inline void write_heard(config::BytesOut& bytes, std::span<const HeardPacket> he
 }
 
 // The packets' bytes stay where they are: `out` is valid as long as what `bytes` reads from.
-inline void read_heard(config::BytesIn& bytes, std::vector<HeardPacket>& out) {
+inline void read_heard(text::BytesIn& bytes, std::vector<HeardPacket>& out) {
   std::uint32_t count = 0;
   bytes(count);
   out.clear();

@@ -12,9 +12,9 @@
 
 #include "config/bad_input.hpp"
 #include "config/named_files.hpp"
-#include "config/text.hpp"
 #include "output/own_kind.hpp"
 #include "study/recording_place.hpp"
+#include "text/message.hpp"
 
 namespace regista::output {
 namespace {
@@ -55,7 +55,7 @@ fs::path database_of(const fs::path& file) {
   return {};
 }
 
-std::string shown(const fs::path& file) { return config::one_line(file.string()); }
+std::string shown(const fs::path& file) { return text::one_line(file.string()); }
 
 }  // namespace
 

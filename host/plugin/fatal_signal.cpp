@@ -18,7 +18,7 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::plugin {
 namespace {

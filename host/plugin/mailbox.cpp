@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "config/text.hpp"
-#include "config/visible_text.hpp"
+#include "text/message.hpp"
+#include "text/visible.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -50,8 +50,8 @@ std::string Mailbox::describe(std::span<const std::uint8_t> bytes) {
   }
   const std::string_view said(text, static_cast<std::size_t>(end - text));
   if (said.find_first_of("\r\n") != std::string_view::npos) instance_->fail("describe", "the text is not one line");
-  if (config::visible(said) != said) {
-    instance_->fail("describe", "the text is no plain UTF-8: " + config::in_quotes(said));
+  if (text::visible(said) != said) {
+    instance_->fail("describe", "the text is no plain UTF-8: " + text::in_quotes(said));
   }
   return std::string(said);
 }

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cstring>
 
-#include "config/sanitized.hpp"
 #include "plugin/dynamic_part.hpp"
 #include "plugin/elf_file.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::plugin {
 namespace {

@@ -15,8 +15,8 @@
 #include <cstring>
 #include <system_error>
 
-#include "config/sanitized.hpp"
 #include "process/descriptor.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::process {
 namespace {

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <ctime>
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::process {
 namespace {

@@ -6,11 +6,11 @@
 
 #include <span>
 
-#include "config/json.hpp"
 #include "config/packet_share.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
 #include "plugin/declarations.hpp"
+#include "text/json.hpp"
 
 namespace regista::recording {
 namespace {

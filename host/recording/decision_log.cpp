@@ -5,9 +5,9 @@
 #include <cmath>
 #include <utility>
 
-#include "config/json.hpp"
 #include "match/names.hpp"
 #include "match/teams.hpp"
+#include "text/json.hpp"
 
 namespace regista::recording {
 namespace {

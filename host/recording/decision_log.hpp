@@ -20,11 +20,11 @@
 #include <string_view>
 #include <vector>
 
-#include "markup/json_text.hpp"
 #include "match/match.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "recording/segment_record.hpp"
+#include "text/json_text.hpp"
 
 namespace regista::recording {
 
@@ -56,7 +56,7 @@ class DecisionLog {
   std::array<std::vector<std::string>, 2> role_names_;
   std::uint64_t steps_ = 0;
   SentSegments sent_;
-  markup::JsonText segment_;
+  text::JsonText segment_;
   Write write_;
 };
 

@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "markup/json_text.hpp"
 #include "match/side.hpp"
 #include "mind/extensions/drawings.hpp"
+#include "text/json_text.hpp"
 
 namespace regista::recording {
 
@@ -41,7 +41,7 @@ class DrawnLayers {
   std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and robot (n - 1)
   std::vector<std::size_t> layer_of_;                      // of each shape of the present call
   std::vector<Change> changes_;
-  markup::JsonText json_;
+  text::JsonText json_;
 };
 
 }  // namespace regista::recording

@@ -7,14 +7,14 @@
 #include <string_view>
 
 #include "config/rules.hpp"
-#include "markup/html_text.hpp"
+#include "text/html.hpp"
 
 namespace regista::recording::picture {
 
-using markup::Html;
-using markup::Markup;
-using markup::text;
-using markup::operator""_html;
+using text::Html;
+using text::Markup;
+using text::text;
+using text::operator""_html;
 
 // Numbers, and literals of our own.
 template <class... Numbers>

@@ -7,7 +7,6 @@
 #include <optional>
 #include <string_view>
 
-#include "markup/json_text.hpp"
 #include "match/names.hpp"
 #include "mcap/error.hpp"
 #include "mcap/writer.hpp"
@@ -15,11 +14,12 @@
 #include "recording/drawing_record.hpp"
 #include "recording/schemas.hpp"
 #include "recording/segment_record.hpp"
+#include "text/json_text.hpp"
 
 namespace regista::recording {
 namespace {
 
-using markup::JsonText;
+using text::JsonText;
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
 constexpr double belief_period = 0.5;    // s

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <string_view>
 
-#include "config/json.hpp"
 #include "mcap/error.hpp"
 #include "mcap/reader.hpp"
 #include "recording/about.hpp"
+#include "text/json.hpp"
 
 namespace regista::recording {
 namespace {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/visible_text.hpp"
 #include "recording/moment_parts.hpp"
+#include "text/visible.hpp"
 
 namespace regista::recording::moment {
 namespace {

@@ -10,14 +10,14 @@
 #include <string_view>
 #include <vector>
 
-#include "config/visible_text.hpp"
 #include "recording/field_svg.hpp"
 #include "recording/recorded_match.hpp"
+#include "text/visible.hpp"
 
 namespace regista::recording::moment {
 
-using config::visible;
-using config::visible_at_most;
+using text::visible;
+using text::visible_at_most;
 using namespace picture;
 
 // "7:42.3", as in the viewer.

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "config/visible_text.hpp"
 #include "recording/moment_parts.hpp"
+#include "text/visible.hpp"
 
 namespace regista::recording {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::recording {
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include "config/json.hpp"
 #include "mcap/error.hpp"
 #include "recording/about.hpp"
 #include "recording/recorded_json.hpp"
+#include "text/json.hpp"
 
 namespace regista::recording {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "config/json.hpp"
 #include "report/few_uneven.hpp"
 #include "report/number.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

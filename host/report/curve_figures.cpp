@@ -11,7 +11,7 @@
 
 #include "report/elo_interval.hpp"
 #include "report/standing.hpp"
-#include "report/visible_text.hpp"
+#include "text/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -120,7 +120,8 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   const bool goals = test == nullptr || test->value == study::goals_value;
   Figure out;
   out.name = "value";
-  out.title = goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", visible(test->value));
+  out.title =
+      goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", text::visible(test->value));
   out.description =
       fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
                   test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)));

@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
-#include "config/json.hpp"
 #include "config/values.hpp"
-#include "report/visible_text.hpp"
+#include "text/json.hpp"
+#include "text/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -48,8 +48,9 @@ std::string evaluation_text(const config::PredictorStudy& study, const Evaluated
   std::string out = fmt::format(
       "Evaluated: {} ({}, version {:.8}) by {} ({}) on {}, with Regista {}\n{} detections, {} of them shown; {} "
       "starts\n\n",
-      study.predictor.plugin, visible(evaluated.predictor), evaluated.hash, study.name, visible(evaluated.file),
-      visible(evaluated.data), evaluated.program, evaluation.detections, evaluation.observations, evaluation.starts);
+      study.predictor.plugin, text::visible(evaluated.predictor), evaluated.hash, study.name,
+      text::visible(evaluated.file), text::visible(evaluated.data), evaluated.program, evaluation.detections,
+      evaluation.observations, evaluation.starts);
   out += row("seconds ahead", evaluation, [](const AtHorizon& at) { return fmt::format("{:g}", at.horizon); });
   out += "error in mm: median / 90th percentile\n";
   out += row(study.predictor.plugin, evaluation, [](const AtHorizon& at) { return both(at.predictor, at.answers); });

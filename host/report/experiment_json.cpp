@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // An experiment as JSON.
 
-#include "config/json.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number_json.hpp"
 #include "report/packets_spent.hpp"
 #include "study/settings.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -2,17 +2,17 @@
 // HTML and texts from files, as pages show them.
 #pragma once
 
-#include "markup/html_text.hpp"
+#include "text/html.hpp"
 
 namespace regista::report {
 
-using markup::data_address;
-using markup::Html;
-using markup::lines;
-using markup::Markup;
-using markup::name;
-using markup::path_address;
-using markup::text;
-using markup::operator""_html;
+using text::data_address;
+using text::Html;
+using text::lines;
+using text::Markup;
+using text::name;
+using text::path_address;
+using text::text;
+using text::operator""_html;
 
 }  // namespace regista::report

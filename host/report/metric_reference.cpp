@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

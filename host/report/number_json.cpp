@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 

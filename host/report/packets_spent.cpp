@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 

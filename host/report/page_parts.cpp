@@ -9,10 +9,10 @@
 #include <set>
 
 #include "config/node.hpp"
-#include "config/text.hpp"
 #include "report/configuration_difference.hpp"
 #include "report/html_table.hpp"
 #include "report/page_style.hpp"
+#include "text/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -72,8 +72,8 @@ Html differences_table(std::span<const std::string> names, const std::vector<Dif
     table.row(cells);
   }
   Html out = rows.size() > most_open ? "<details><summary>"_html : "<details open><summary>"_html;
-  out << text(config::counted(rows.size(), "value differs", "values differ"))
-      << "</summary>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
+  out << text(text::counted(rows.size(), "value differs", "values differ")) << "</summary>\n<div class=\"values\">"_html
+      << table.html() << "</div>\n"_html;
   if (rows.size() > most_rows) {
     out << text(fmt::format("{} more values are not listed.", rows.size() - most_rows));
   }

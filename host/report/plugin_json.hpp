@@ -2,8 +2,8 @@
 // What there is to say about a plugin, for programs: numbers as numbers.
 #pragma once
 
-#include "config/json.hpp"
 #include "plugin/found.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A tournament as JSON.
 
-#include "config/json.hpp"
 #include "report/match_remarks.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -2,10 +2,10 @@
 // A tuning as JSON.
 #include <algorithm>
 
-#include "config/json.hpp"
 #include "report/packets_spent.hpp"
 #include "report/tuning_json_parts.hpp"
 #include "report/tuning_sentences.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

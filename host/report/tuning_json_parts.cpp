@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "report/tuning_json_parts.hpp"
 
-#include "config/json.hpp"
 #include "report/match_remarks.hpp"
 #include "report/objective_numbers.hpp"
 #include "report/tuning_problem.hpp"
 #include "study/measure.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 

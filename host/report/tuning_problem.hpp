@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "config/text.hpp"
 #include "report/what_was_played.hpp"
 #include "study/tuning/tuning_plan.hpp"
+#include "text/message.hpp"
 
 namespace regista::report {
 
-using config::counted;                        // "1 run", "2 runs"
+using text::counted;                          // "1 run", "2 runs"
 std::string pairs_text(std::uint64_t count);  // "1 pair"
 
 WhatWasPlayed what_was_played(const study::TuningPlan& plan);

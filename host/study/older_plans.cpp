@@ -7,12 +7,12 @@
 
 #include "campaign/job.hpp"
 #include "config/experiment.hpp"
-#include "config/json.hpp"
 #include "config/load.hpp"
 #include "config/parse.hpp"
 #include "config/tournament.hpp"
 #include "config/tuning.hpp"
 #include "config/values.hpp"
+#include "text/json.hpp"
 
 namespace regista::study {
 namespace {

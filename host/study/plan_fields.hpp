@@ -25,11 +25,11 @@
 
 #include "campaign/job.hpp"
 #include "campaign/whole_number.hpp"
-#include "config/json.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "study/opening.hpp"
 #include "study/plan_names.hpp"
+#include "text/json.hpp"
 
 namespace regista::study {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "config/json.hpp"
 #include "study/plan_names.hpp"
+#include "text/json.hpp"
 
 namespace regista::study {
 namespace {

@@ -12,13 +12,13 @@
 #include "campaign/mathematics.hpp"
 #include "config/documents.hpp"
 #include "config/read.hpp"
-#include "config/text.hpp"
 #include "config/values.hpp"
 #include "match/match.hpp"
 #include "plugin/declarations.hpp"
 #include "study/packets_spent.hpp"
 #include "study/settings.hpp"
 #include "study/study_inputs.hpp"
+#include "text/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -144,7 +144,7 @@ class Planner {
     if (std::ranges::find(paths, path) != paths.end()) return;
     paths.insert(paths.begin(), goals_value);
     throw config::Error(
-        where, config::unknown("metric", test->value, fmt::format("test.metric, of team {}", team.team().name), paths));
+        where, text::unknown("metric", test->value, fmt::format("test.metric, of team {}", team.team().name), paths));
   }
 
   void look_at_team(std::size_t team) {

@@ -2,7 +2,7 @@
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
     cli -> cluster, command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> process, sdk
-    config, statistics, mcap, markup are leaves
+    text, statistics, mcap are leaves; config knows text
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
 """
@@ -10,24 +10,24 @@ An arrow may skip rooms (match may include plugin), never run backwards or sidew
 # room of host/ -> the rooms it may include or link. "sdk" stands for <regista/abi.h> and <regista/extensions/...>, all
 # that host and plugins share.
 KNOWS = {
-    "config": set(),
+    "text": set(),
+    "config": {"text"},
     "statistics": set(),
     "mcap": set(),
-    "markup": {"config"},
-    "process": {"config"},
-    "plugin": {"sdk", "config", "process"},
-    "mind": {"sdk", "config", "plugin"},
-    "match": {"sdk", "config", "plugin", "mind"},
-    "recording": {"sdk", "config", "plugin", "mind", "match", "mcap", "markup"},
-    "campaign": {"sdk", "config", "process", "plugin", "mind", "match", "statistics", "recording", "mcap"},
-    "check": {"sdk", "config", "process", "plugin"},
-    "study": {"sdk", "config", "plugin", "mind", "match", "statistics", "campaign"},
-    "report": {"sdk", "config", "process", "plugin", "match", "statistics", "campaign", "study", "recording", "markup"},
-    "output": {"config", "mcap", "recording", "study", "report"},
-    "command": {"config", "plugin", "output"},
-    "cluster": {"config", "process", "plugin", "campaign", "study", "output"},
-    "cli": {"sdk", "config", "process", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording", "mcap",
-            "output", "command", "cluster", "check"},
+    "process": set(),
+    "plugin": {"sdk", "text", "config", "process"},
+    "mind": {"sdk", "text", "config", "plugin"},
+    "match": {"sdk", "text", "config", "plugin", "mind"},
+    "recording": {"sdk", "text", "config", "plugin", "mind", "match", "mcap"},
+    "campaign": {"sdk", "text", "config", "process", "plugin", "mind", "match", "statistics", "recording", "mcap"},
+    "check": {"sdk", "text", "config", "process", "plugin"},
+    "study": {"sdk", "text", "config", "plugin", "mind", "match", "statistics", "campaign"},
+    "report": {"sdk", "text", "config", "process", "plugin", "match", "statistics", "campaign", "study", "recording"},
+    "output": {"text", "config", "mcap", "recording", "study", "report"},
+    "command": {"text", "config", "plugin", "output"},
+    "cluster": {"text", "config", "process", "plugin", "campaign", "study", "output"},
+    "cli": {"sdk", "text", "config", "process", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording",
+            "mcap", "output", "command", "cluster", "check"},
 }
 
 # What of the SDK the host may include: the interface, and the extensions of it.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "config/text.hpp"
+#include "text/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -23,12 +23,12 @@ const campaign::Failure* first_failure(const MatchTally& tally, bool of_tuned) {
 std::string in_words(const campaign::Failure& failure, const std::string& team) {
   const std::string plugin = failure.plugin.empty() ? "a plugin of " + team : "plugin " + failure.plugin;
   const std::string call = failure.call.empty() ? "" : " in " + failure.call;
-  return config::one_line(plugin + call + ": " + failure.what);
+  return text::one_line(plugin + call + ": " + failure.what);
 }
 
 std::string why_no_number(const MatchTally& tally) {
   const std::vector<MatchRemark>& unplayed = tally.remarks.unplayed().listed();
-  if (!unplayed.empty()) return ": they could not be played: " + config::one_line(unplayed.front().text);
+  if (!unplayed.empty()) return ": they could not be played: " + text::one_line(unplayed.front().text);
   const campaign::Failure* const failure = first_failure(tally, false);
   return failure == nullptr ? "" : ": opponents forfeit: " + in_words(*failure, "an opponent");
 }

@@ -11,7 +11,7 @@
 #include <regista/testkit/dice.hpp>
 #include <set>
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 #include "teams.hpp"
 
 namespace regista {

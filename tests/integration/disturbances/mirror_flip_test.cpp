@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 #include "teams.hpp"
 
 namespace regista {

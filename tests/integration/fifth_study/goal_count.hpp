@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include "config/json.hpp"
 #include "study/plan_names.hpp"
 #include "study/study.hpp"
 #include "study/tournament_plan.hpp"
+#include "text/json.hpp"
 
 namespace regista::study {
 

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "config/json.hpp"
 #include "goal_count.hpp"
 #include "report/html.hpp"
 #include "report/page_parts.hpp"
 #include "report/study_report.hpp"
 #include "report/tournament.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 

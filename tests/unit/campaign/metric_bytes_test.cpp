@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "campaign/metric_json.hpp"
-#include "config/json.hpp"
+#include "text/json.hpp"
 
 namespace regista::campaign {
 namespace {

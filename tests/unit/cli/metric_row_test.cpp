@@ -9,10 +9,10 @@
 
 #include "campaign/match_json.hpp"
 #include "campaign/metric_bytes.hpp"
-#include "config/json.hpp"
 #include "report/match_summary.hpp"
 #include "report/metric_reference.hpp"
 #include "report/tournament_page.hpp"
+#include "text/json.hpp"
 
 namespace regista::cli {
 namespace {

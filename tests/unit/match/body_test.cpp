@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "config/sanitized.hpp"
 #include "match/arena.hpp"
+#include "process/sanitized.hpp"
 #include "scripted.hpp"
 
 namespace regista::match {

@@ -7,7 +7,7 @@
 #include <array>
 #include <memory>
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::plugin {
 

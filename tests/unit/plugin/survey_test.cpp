@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "config/sanitized.hpp"
 #include "plugin/shared_object.hpp"
+#include "process/sanitized.hpp"
 #include "scene.hpp"
 
 namespace regista::plugin::test {

@@ -19,8 +19,8 @@
 #include <thread>
 #include <vector>
 
-#include "config/sanitized.hpp"
 #include "process/descriptor.hpp"
+#include "process/sanitized.hpp"
 #include "process/watch.hpp"
 
 namespace regista::process {

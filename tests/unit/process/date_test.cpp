@@ -8,8 +8,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "config/sanitized.hpp"
 #include "process/child.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::process {
 namespace {

@@ -7,17 +7,17 @@
 #include <limits>
 #include <random>
 
-#include "config/json.hpp"
-#include "markup/base64.hpp"
-#include "markup/json_text.hpp"
 #include "recording/match_page.hpp"
 #include "recording/schemas.hpp"
+#include "text/base64.hpp"
+#include "text/json.hpp"
+#include "text/json_text.hpp"
 
 namespace regista::recording {
 namespace {
 
-using markup::append_base64;
-using markup::JsonText;
+using text::append_base64;
+using text::JsonText;
 
 std::string base64(std::string_view bytes) {
   std::string out = ">";

@@ -62,7 +62,7 @@ TEST(SentSegments, KnowsWhichOfferWasHeard) {
 }
 
 std::string written(const SegmentEvent& event, std::uint64_t handle, bool left = true) {
-  markup::JsonText json;
+  text::JsonText json;
   json.open('{');
   write(json, {match::Side::away, 4, event, handle, left});
   json.close('}');

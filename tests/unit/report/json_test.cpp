@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
-#include "config/json.hpp"
 #include "course.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -5,12 +5,12 @@
 
 #include <gmock/gmock.h>
 
-#include "config/json.hpp"
 #include "course.hpp"
 #include "report/standing.hpp"
 #include "report/tournament_page.hpp"
 #include "report/verdict_sentence.hpp"
 #include "statistics/sign_flip.hpp"
+#include "text/json.hpp"
 
 namespace regista::report {
 namespace {

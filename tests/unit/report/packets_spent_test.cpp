@@ -2,13 +2,13 @@
 // Reports of short games say what was spent of the share of the budget that their length has, and who overspent.
 #include <gmock/gmock.h>
 
-#include "config/json.hpp"
 #include "course.hpp"
 #include "report/course_record.hpp"
 #include "report/experiment.hpp"
 #include "report/match_summary.hpp"
 #include "report/tournament.hpp"
 #include "report/tournament_page.hpp"
+#include "text/json.hpp"
 #include "tuning_course.hpp"
 #include "unit/study/experiment_fixture.hpp"
 

@@ -5,8 +5,8 @@
 #include <map>
 #include <sstream>
 
-#include "config/json.hpp"
 #include "report/tuning_numbers.hpp"
+#include "text/json.hpp"
 #include "tuning_course.hpp"
 
 namespace regista::report {

@@ -11,10 +11,10 @@
 #include <string>
 
 #include "campaign/job.hpp"
-#include "config/json.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/tournament_plan.hpp"
 #include "study/tuning/tuning_plan.hpp"
+#include "text/json.hpp"
 
 namespace regista::study {
 namespace {

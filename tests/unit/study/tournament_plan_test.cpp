@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "config/json.hpp"
 #include "config/values.hpp"
+#include "text/json.hpp"
 #include "tournament_fixture.hpp"
 
 namespace regista::study {

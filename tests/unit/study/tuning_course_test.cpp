@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
 #include "study/tuning/tuning.hpp"
 #include "tuning_fixture.hpp"
 

@@ -7,8 +7,8 @@
 #include <random>
 #include <stdexcept>
 
-#include "config/json.hpp"
-#include "config/sanitized.hpp"
+#include "process/sanitized.hpp"
+#include "text/json.hpp"
 #include "tuning_fixture.hpp"
 
 namespace regista::study {

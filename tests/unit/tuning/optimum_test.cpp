@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "config/sanitized.hpp"
 #include "landscape.hpp"
+#include "process/sanitized.hpp"
 
 namespace regista::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "markup/html_text.hpp"
+#include "text/html.hpp"
 
 #include <fmt/format.h>
 
@@ -7,12 +7,12 @@
 #include <array>
 #include <utility>
 
-#include "config/visible_text.hpp"
+#include "text/visible.hpp"
 
-namespace regista::markup {
+namespace regista::text {
 
-using config::visible;
-using config::visible_lines;
+using visible;
+using visible_lines;
 
 namespace {
 
@@ -107,4 +107,4 @@ Html path_address(std::string_view path) {
   return text(path.starts_with('/') || path.starts_with('.') ? address : "./" + address);
 }
 
-}  // namespace regista::markup
+}  // namespace regista::text

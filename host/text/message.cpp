@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "config/text.hpp"
+#include "text/message.hpp"
 
 #include <fmt/format.h>
 
-#include "config/nearest.hpp"
-#include "config/visible_text.hpp"
+#include "text/nearest.hpp"
+#include "text/visible.hpp"
 
-namespace regista::config {
+namespace regista::text {
 
 std::string one_line(std::string_view text) { return visible(text); }
 
@@ -46,4 +46,4 @@ std::string unknown(std::string_view what, std::string_view asked, std::string_v
   return message;
 }
 
-}  // namespace regista::config
+}  // namespace regista::text

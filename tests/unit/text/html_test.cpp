@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "markup/html_text.hpp"
+#include "text/html.hpp"
 
 #include <gmock/gmock.h>
 
 #include <string>
 
-#include "config/sanitized.hpp"
-#include "config/visible_text.hpp"
+#include "process/sanitized.hpp"
+#include "text/visible.hpp"
 
-namespace regista::markup {
+namespace regista::text {
 namespace {
 
-using config::visible;
-using config::visible_at_most;
-using config::visible_lines;
+using visible;
+using visible_at_most;
+using visible_lines;
 
 TEST(VisibleText, WhatIsSeenStaysAsItIs) {
   EXPECT_EQ(visible("Rot-Weiß 04, שלום, 日本, 🙂"), "Rot-Weiß 04, שלום, 日本, 🙂");
@@ -122,4 +122,4 @@ TEST(HtmlText, IsPlainForATerminal) {
 }
 
 }  // namespace
-}  // namespace regista::markup
+}  // namespace regista::text

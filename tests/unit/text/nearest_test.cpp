@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/nearest.hpp"
+#include "text/nearest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace regista::config {
+namespace regista::text {
 namespace {
 
 // The recurrence of the optimal string alignment distance, written down as it is defined.
@@ -62,4 +62,4 @@ TEST(Nearest, FindsWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace regista::config
+}  // namespace regista::text

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::markup {
+namespace regista::text {
 
 // Markup that stands in the source.
 class Markup {
@@ -41,7 +41,7 @@ class Html {
 // What a reader sees of it, for a terminal: without tags, with characters for entities.
 std::string plain(const Html& html);
 
-// Text from anywhere, as a reader may see it (visible_text.hpp), for content and for values of attributes in double
+// Text from anywhere, as a reader may see it (visible.hpp), for content and for values of attributes in double
 // quotes.
 Html text(std::string_view text);
 Html lines(std::string_view text);  // ends of lines stay, for <pre>
@@ -54,4 +54,4 @@ Html name(std::string_view name);
 Html data_address(std::string_view media_type, std::string_view bytes);
 Html path_address(std::string_view path);
 
-}  // namespace regista::markup
+}  // namespace regista::text

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
-namespace regista::config {
+namespace regista::text {
 
-// The text as a terminal may be given it, in one line: see visible_text.hpp.
+// The text as a terminal may be given it, in one line: see visible.hpp.
 std::string one_line(std::string_view text);
 
 // "text" in double quotes, in one line, cut after 40 characters.
@@ -26,4 +26,4 @@ std::string counted(std::uint64_t count, std::string_view one, std::string_view 
 std::string unknown(std::string_view what, std::string_view asked, std::string_view where,
                     std::span<const std::string> known);
 
-}  // namespace regista::config
+}  // namespace regista::text

@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace regista::config {
+namespace regista::text {
 
 // Values that are copied as they are.
 template <class T>
@@ -120,4 +120,4 @@ void visit(BytesIn& archive, std::optional<T>& value) {
   if (has) archive(value.emplace());
 }
 
-}  // namespace regista::config
+}  // namespace regista::text
