@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "cli/cluster_run.hpp"
-#include "cli/cluster_step.hpp"
 #include "cli/commands.hpp"
+#include "cluster/run.hpp"
+#include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
 #include "output/output.hpp"
 #include "text/json.hpp"
@@ -60,7 +60,7 @@ StudyFolder folder_of(const FolderOptions& options, const char* command) {
 
 int tell_status(const FolderOptions& options) {
   const StudyFolder folder = folder_of(options, "status");
-  const ClusterStatus status = status_of(folder);
+  const cluster::Status status = cluster::status_of(folder);
   const Progress& progress = status.progress;
   if (options.campaign.json) {
     const nlohmann::ordered_json json{{"folder", folder.root().string()},
@@ -86,7 +86,7 @@ int tell_status(const FolderOptions& options) {
     if (!said.empty()) text += fmt::format("  {}\n", text::one_line(said));
   };
   line(progress.message);
-  line(in_words(status));
+  line(cluster::in_words(status));
   for (const std::string& each : progress.remarks) line(each);
   line(progress.finding);
   output::print(text);
@@ -95,11 +95,11 @@ int tell_status(const FolderOptions& options) {
 
 int gather(const FolderOptions& options, const Invocation& invocation) {
   const StudyFolder folder = folder_of(options, "gather");
-  return tell_step(folder, take_step(folder, false, invocation), options.campaign, invocation);
+  return cluster::tell_step(folder, cluster::take_step(folder, false, invocation), options.campaign, invocation);
 }
 
 int stop(const FolderOptions& options) {
-  stop_study(folder_of(options, "stop"));
+  cluster::stop_study(folder_of(options, "stop"));
   return exit_done;
 }
 

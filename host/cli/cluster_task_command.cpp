@@ -15,16 +15,16 @@
 #include <utility>
 #include <vector>
 
-#include "cli/cluster_step.hpp"
 #include "cli/commands.hpp"
-#include "cli/results_file.hpp"
 #include "cluster/parts.hpp"
 #include "cluster/shared_file.hpp"
 #include "cluster/slice.hpp"
+#include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
 #include "command/interruption.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
+#include "results/results_file.hpp"
 #include "study/recording_place.hpp"
 #include "text/message.hpp"
 
@@ -78,11 +78,12 @@ int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& 
   const cluster::Settings settings = folder.settings();
   const fs::path before = folder.known_before(name.batch);
   const std::string file = (fs::exists(before) ? before : folder.plan()).string();
-  const campaign::Store known = read_results(file);
-  const std::string plan = stored_plan(known);
-  const std::vector<campaign::Job> jobs = first_jobs(stored_study(file, known, {}, invocation.studies)->study());
+  const campaign::Store known = results::read_results(file);
+  const std::string plan = results::stored_plan(known);
+  const std::vector<campaign::Job> jobs =
+      results::first_jobs(results::stored_study(file, known, {}, invocation.studies)->study());
   const std::string node = node_name();
-  if (const std::string different = jobs.empty() ? "" : what_differs_here(jobs.front()); !different.empty()) {
+  if (const std::string different = jobs.empty() ? "" : cluster::what_differs_here(jobs.front()); !different.empty()) {
     cluster::write_refusal(folder, name, node, different);
     throw BadInput(fmt::format("node {} plays nothing: {}", node, different));
   }
@@ -90,7 +91,7 @@ int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& 
   if (!part) return exit_done;
   if (part->meta("schedule").empty()) part->set_meta("schedule", plan);
 
-  const auto report = stored_study(file, known, {}, invocation.studies);
+  const auto report = results::stored_study(file, known, {}, invocation.studies);
   study::Study& study = report->study();
   const std::string given_in = study.folder();
   fs::current_path(folder.copy_of(given_in));
@@ -132,7 +133,7 @@ int task(const std::string& folder_name, const TaskName& name, const Invocation&
     const int exit = play(folder, name, batch, invocation);
     std::error_code none;  // there is nothing to rename where another process has done it
     if (!fs::exists(folder.part(name), none)) fs::rename(folder.under_way(name), folder.part(name), none);
-    if (batch.may_end_early) look_whether_it_is_over(folder, invocation);
+    if (batch.may_end_early) cluster::look_whether_it_is_over(folder, invocation);
     return exit;
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());

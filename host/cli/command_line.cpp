@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/study_kinds.hpp"
+#include "cli/study_commands.hpp"
 #include "command/terminal.hpp"
 #include "output/output.hpp"
+#include "results/study_kind.hpp"
 
 namespace regista::cli {
 namespace {

@@ -15,7 +15,7 @@ void add_commands(Command& program, const Invocation& invocation);
 // A command and the studies of a program that knows more than ours.
 struct Addition {
   std::function<void(Command& program, const Invocation& invocation)> command;
-  std::span<const StudyKind> studies;  // all of them
+  std::span<const results::StudyKind> studies;  // all of them
 };
 
 // Runs the command that the arguments name. Returns the exit code (end_of_program.hpp); throws nothing.

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/common_names.hpp"
-#include "cli/invocation.hpp"
+#include "results/invocation.hpp"
 
 namespace regista::cli {
 

@@ -4,6 +4,7 @@
 
 #include "command/command.hpp"
 #include "command/end_of_program.hpp"
+#include "results/invocation.hpp"
 
 namespace regista::cli {
 
@@ -19,5 +20,6 @@ using command::explain_current_exception;
 using command::Interrupted;
 using output::Reads;
 using output::Writes;
+using results::Invocation;
 
 }  // namespace regista::cli

@@ -8,12 +8,12 @@
 
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
 #include "cli/study_commands.hpp"
-#include "cli/study_run.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "report/experiment_report.hpp"
+#include "results/results_file.hpp"
+#include "results/study_run.hpp"
 #include "study/experiment_setup.hpp"
 
 namespace regista::cli {
@@ -56,11 +56,11 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
   outputs.check(options.force);
-  const auto report = report::experiment_report(std::move(plan), play_again(invocation));
-  campaign::Store store =
-      open_results(options.results, options.resume, report->study(), {outputs.documents(), {}}, invocation.studies);
+  const auto report = report::experiment_report(std::move(plan), results::play_again(invocation));
+  campaign::Store store = results::open_results(options.results, options.resume, report->study(),
+                                                {outputs.documents(), {}}, invocation.studies);
   std::optional<output::OutputFile> csv;
-  StudyWishes wishes;
+  results::StudyWishes wishes;
   if (!options.csv.empty()) {
     csv.emplace(options.csv);
     csv->write(report->begin_table({.all_metrics = true}));
@@ -76,7 +76,7 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
     summary.write(report->summary_table());
     summary.close();
   };
-  return play_study(*report, options, invocation, store, wishes);
+  return results::play_study(*report, options, invocation, store, wishes);
 }
 
 void add_experiment(Command& parent, const Invocation& invocation) {

@@ -19,12 +19,12 @@
 #include "cli/plugin_folders.hpp"
 #include "cli/prepared_match.hpp"
 #include "cli/replayed_match.hpp"
-#include "cli/stored_match.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/plugin_file.hpp"
 #include "report/what_was_played.hpp"
+#include "results/stored_match.hpp"
 #include "text/message.hpp"
 
 namespace regista::cli {
@@ -53,7 +53,7 @@ Regista; 130 interrupted.)";
 const std::vector<std::string> log_levels{"debug", "info", "warning", "error", "none"};
 
 // Nothing when none is to be played again.
-std::optional<StoredMatch> stored_match_of(const MatchOptions& options, const Invocation& invocation) {
+std::optional<results::StoredMatch> stored_match_of(const MatchOptions& options, const Invocation& invocation) {
   if (options.from.empty()) {
     if (!options.row.empty())
       throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
@@ -66,7 +66,7 @@ std::optional<StoredMatch> stored_match_of(const MatchOptions& options, const In
                     !options.away_disturbance.empty() || !options.set.empty() || !options.opening.empty() ||
                     !options.limit.empty() || !options.plugins.empty() || options.seed != unset.seed;
   if (more) throw BadInput("--from: the file says what is played; teams and options that change it cannot be given");
-  return read_stored_match(options.from, options.row, invocation.studies);
+  return results::read_stored_match(options.from, options.row, invocation.studies);
 }
 
 // outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
@@ -195,7 +195,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   }
   options.overrides = config::typed_overrides(options.set);
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
-  const std::optional<StoredMatch> stored = stored_match_of(options, invocation);
+  const std::optional<results::StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {
     throw BadInput(
         fmt::format("match: expected two files of teams, {} given; see: regista match --help", options.teams.size()));
@@ -238,7 +238,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   }
   const auto work = [&](campaign::WorkerNote& note) {
     // A match that failed has no hash to be compared with.
-    const std::optional<StoredMatch> none;
+    const std::optional<results::StoredMatch> none;
     return play_prepared(options, invocation.arguments, failed ? none : stored, what, std::move(prepared), note);
   };
   if (options.in_process) {

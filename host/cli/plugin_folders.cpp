@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "cli/common_names.hpp"
 
@@ -12,12 +11,6 @@ namespace regista::cli {
 
 void add_plugin_folders(Command& command, std::vector<std::string>& folders) {
   command.take("--plugins", folders, "DIR", "search this folder for plugins first; may be repeated", Reads::plugins);
-}
-
-plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation) {
-  const std::vector<std::filesystem::path> options(folders.begin(), folders.end());
-  return plugin::Catalogue(plugin::Catalogue::search_path(options, std::getenv("REGISTA_PLUGIN_PATH"),
-                                                          invocation.own("lib/regista/plugins")));
 }
 
 std::vector<std::string> folders_of(const plugin::Catalogue& catalogue) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the commands look for plugins: the folders of `--plugins`, then those of the environment variable
-// REGISTA_PLUGIN_PATH, then the one that belongs to the program: ../lib/regista/plugins, seen from its own folder.
+// The option `--plugins`, and what is said of the files in its folders.
 #pragma once
 
 #include <string>
@@ -14,8 +13,7 @@ namespace regista::cli {
 // Adds the option `--plugins DIR`, which may come several times.
 void add_plugin_folders(Command& command, std::vector<std::string>& folders);
 
-// Throws config::Error for a folder of an option that is none.
-plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
+using results::open_plugins;
 
 // Where a catalogue was searched for, to be kept from being written over (output_files.hpp).
 std::vector<std::string> folders_of(const plugin::Catalogue& catalogue);

@@ -51,8 +51,9 @@ std::unique_ptr<recording::MatchRecording> begin_recording(const MatchOptions& o
 
 }  // namespace
 
-int play_prepared(const MatchOptions& options, std::vector<std::string> words, const std::optional<StoredMatch>& stored,
-                  const report::WhatWasPlayed& what, campaign::MatchSetup prepared, campaign::WorkerNote& note) {
+int play_prepared(const MatchOptions& options, std::vector<std::string> words,
+                  const std::optional<results::StoredMatch>& stored, const report::WhatWasPlayed& what,
+                  campaign::MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
   if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
   const std::string again = process::shell_line(words);

@@ -21,7 +21,7 @@ std::string end_in_words(const campaign::Decided& decided) {
                      failure.call, failure.what);
 }
 
-int play_failed(const MatchOptions& options, const StoredMatch& stored, campaign::Job job) {
+int play_failed(const MatchOptions& options, const results::StoredMatch& stored, campaign::Job job) {
   campaign::Decided now;
   try {
     job.record = options.record;

@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/results_file.hpp"
-#include "cli/results_page.hpp"
-#include "cli/study_folder.hpp"
-#include "cli/study_run.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "report/study_report.hpp"
+#include "results/results_file.hpp"
+#include "results/results_page.hpp"
+#include "results/study_run.hpp"
+#include "results/written_study.hpp"
 #include "text/message.hpp"
 #include "text/visible.hpp"
 
@@ -80,7 +80,7 @@ void refuse_what_does_not_go_together(const ReportOptions& options) {
 match::MetricPaths metric_columns(const ReportOptions& options, const campaign::Store& store,
                                   const Invocation& invocation) {
   std::uint64_t rows = 0;
-  const auto report = stored_study(options.file, store, {}, invocation.studies);
+  const auto report = results::stored_study(options.file, store, {}, invocation.studies);
   study::read_back(report->study(), store, report->study().metrics(),
                    [&rows](const study::Round& round, std::uint64_t index, const campaign::Decided* /*decided*/) {
                      rows = round.first_row + index + 1;
@@ -89,7 +89,7 @@ match::MetricPaths metric_columns(const ReportOptions& options, const campaign::
 }
 
 int print_report(const ReportOptions& options, const campaign::Store& store, const Invocation& invocation) {
-  const auto report = stored_study(options.file, store, play_again(invocation), invocation.studies);
+  const auto report = results::stored_study(options.file, store, results::play_again(invocation), invocation.studies);
   if (options.metrics && !report->is_table_of_matches()) {
     throw BadInput(
         fmt::format("report: --metrics: the table of a {} has no row for each match", report->study().what()));
@@ -125,7 +125,7 @@ int tell_standard_error(const std::string& file, const campaign::Store& store, s
     if (row->decided.output.empty()) {
       throw BadInput(fmt::format("{}: in match {} no plugin wrote to standard error", file, match));
     }
-    const std::string text = report::visible_lines(row->decided.output);
+    const std::string text = text::visible_lines(row->decided.output);
     output::print(text.ends_with('\n') ? text : text + '\n');
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
@@ -142,23 +142,24 @@ int run(ReportOptions options, const output::OutputFiles& outputs, const Invocat
     constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
     match = static_cast<std::int64_t>(config::parse_whole("--standard-error", options.standard_error, 1, most));
   }
-  const ResultsTogether results(options.files, invocation.studies);
+  const results::ResultsTogether results(options.files, invocation.studies);
   const campaign::Store& store = results.store();
   if (match != 0) return tell_standard_error(options.file, store, match);
   if (!options.study.empty()) {
-    const auto report = stored_study(options.file, store, {}, invocation.studies);
-    for (const std::string& each : write_study(report->played(), store.documents(), options.study)) complain(each);
+    const auto report = results::stored_study(options.file, store, {}, invocation.studies);
+    for (const std::string& each : results::write_study(report->played(), store.documents(), options.study))
+      complain(each);
     return exit_done;
   }
   if (options.page.empty() && options.figures.empty()) {
     return print_report(options, store, invocation);
   }
-  PageWishes wishes;
+  results::PageWishes wishes;
   if (!options.page.empty()) wishes.page = options.page;
   if (!options.figures.empty()) wishes.figures.folder = options.figures;
   wishes.figures.png = options.png;
   wishes.figures.existing = options.force ? output::Existing::replaced : output::Existing::refused;
-  write_page({options.file, store, invocation.studies}, wishes);
+  results::write_page({options.file, store, invocation.studies}, wishes);
   return exit_done;
 }
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/results_file.hpp"
 #include "output/output.hpp"
+#include "results/results_file.hpp"
 #include "study/study.hpp"
 #include "text/json.hpp"
 #include "text/message.hpp"
@@ -63,10 +63,10 @@ Found look_at(const fs::path& path, const Invocation& invocation) {
   Found out;
   out.file = path.string();
   try {
-    const campaign::Store store = read_results(out.file);
-    const std::string plan = stored_plan(store);
-    out.study = kind_of(out.file, plan, invocation.studies).name;
-    const auto report = stored_study(out.file, store, {}, invocation.studies);
+    const campaign::Store store = results::read_results(out.file);
+    const std::string plan = results::stored_plan(store);
+    out.study = results::kind_of(out.file, plan, invocation.studies).name;
+    const auto report = results::stored_study(out.file, store, {}, invocation.studies);
     study::read_back(report->study(), store, report->study().metrics());
     out.title = report->title();
     out.question = report->question();

@@ -16,13 +16,13 @@
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/mathematics.hpp"
-#include "cli/cluster_run.hpp"
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
-#include "cli/study_run.hpp"
+#include "cluster/run.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
+#include "results/results_file.hpp"
+#include "results/study_run.hpp"
 #include "study/tournament_plan.hpp"
 #include "text/message.hpp"
 
@@ -81,9 +81,9 @@ int go_on_with_folder(const ResumeOptions& options, const Invocation& invocation
   }
   if (!options.pairs.empty()) {
     const std::uint64_t pairs = config::parse_whole("--pairs", options.pairs, 1, study::most_pairs);
-    give_pairs(folder.results().string(), pairs, invocation.studies);
+    results::give_pairs(folder.results().string(), pairs, invocation.studies);
   }
-  return tell_step(folder, take_step(folder, true, invocation), options, invocation);
+  return cluster::tell_step(folder, cluster::take_step(folder, true, invocation), options, invocation);
 }
 
 int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& invocation) {
@@ -98,11 +98,11 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
   std::vector<campaign::Job> jobs;
   bool figures = true;
   try {
-    const campaign::Store store = read_results(options.file);
-    figures = kind_of(file, stored_plan(store), invocation.studies).figures;
-    const auto report = stored_study(file, store, {}, invocation.studies);
+    const campaign::Store store = results::read_results(options.file);
+    figures = results::kind_of(file, results::stored_plan(store), invocation.studies).figures;
+    const auto report = results::stored_study(file, store, {}, invocation.studies);
     enter_folder(file, report->study().folder());
-    jobs = first_jobs(report->study());
+    jobs = results::first_jobs(report->study());
   } catch (const std::invalid_argument& error) {
     throw BadInput(fmt::format("resume: {}: {}", file, error.what()));
   }
@@ -117,16 +117,17 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
   using enum output::OutputFiles::Page;
   outputs.write_beside(options.results, options.no_page ? none : figures ? with_figures : alone);
   outputs.check(false);
-  if (pairs) give_pairs(options.results, *pairs, invocation.studies);
+  if (pairs) results::give_pairs(options.results, *pairs, invocation.studies);
 
-  const std::string plan = stored_plan(read_results(options.results));
-  const StudyKind& kind = kind_of(file, plan, invocation.studies);
+  const std::string plan = results::stored_plan(results::read_results(options.results));
+  const results::StudyKind& kind = results::kind_of(file, plan, invocation.studies);
   if (kind.go_on) return kind.go_on(plan, options, outputs, invocation);
-  const auto report = stored_study(file, read_results(options.results), play_again(invocation), invocation.studies);
-  campaign::Store store = open_results(options.results, true, report->study(), {}, invocation.studies);
-  StudyWishes wishes;
+  const auto report = results::stored_study(file, results::read_results(options.results),
+                                            results::play_again(invocation), invocation.studies);
+  campaign::Store store = results::open_results(options.results, true, report->study(), {}, invocation.studies);
+  results::StudyWishes wishes;
   wishes.figures = figures;
-  return play_study(*report, options, invocation, store, wishes);
+  return results::play_study(*report, options, invocation, store, wishes);
 }
 
 }  // namespace

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "cli/cluster_run.hpp"
 #include "cli/commands.hpp"
 #include "cli/study_commands.hpp"
+#include "cluster/run.hpp"
 #include "config/documents.hpp"
 #include "text/message.hpp"
 
@@ -29,7 +29,7 @@ Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 
 Regista; 130 interrupted.)";
 
 struct RunOptions : StudyOptions {
-  ClusterOptions cluster;
+  cluster::Options on_cluster;
 };
 
 template <class Options>
@@ -62,7 +62,7 @@ int play_here(const RunOptions& options, const output::OutputFiles& outputs, con
 }
 
 int play(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
-  const ClusterOptions& cluster = options.cluster;
+  const cluster::Options& cluster = options.on_cluster;
   if (!cluster.on.empty()) {
     campaign::check(options);
     const auto begin = [&](const campaign::Options& campaign) {
@@ -70,7 +70,7 @@ int play(const RunOptions& options, const output::OutputFiles& outputs, const In
       static_cast<campaign::Options&>(own) = campaign;
       play_here(own, outputs, invocation);
     };
-    return run_on_cluster(cluster, options, options.file, begin, invocation);
+    return cluster::run_on_cluster(cluster, options, options.file, begin, invocation);
   }
   for (const auto& [name, given] : {std::pair{"--folder", !cluster.folder.empty()},
                                     {"--array", !cluster.array.empty()},
@@ -84,6 +84,23 @@ int play(const RunOptions& options, const output::OutputFiles& outputs, const In
   return play_here(options, outputs, invocation);
 }
 
+void add_cluster_options(Command& command, cluster::Options& options) {
+  command.choose("--on", options.on, {"slurm"}, "play the matches as a job array of this scheduler");
+  command.take("--folder", options.folder, "FOLDER",
+               "with --on: a new folder that all nodes see, for the study; default: its document's name with .cluster",
+               Writes::sources);
+  command.take("--array", options.array, "N", "with --on: at most so many tasks at a time; default 64");
+  command.take(
+      "--per-task", options.per_task, "N",
+      "with --on: at most so many matches in a task, one that is played twice counts as six; default 100. N times "
+      "--array is what a test can be late");
+  command.take("--partition", options.partition, "NAME", "with --on: where the tasks run; default: the cluster's own");
+  command.take("--time", options.time, "TIME", "with --on: limit of a task's time, as sbatch understands it");
+  command.take("--sbatch", options.sbatch, "NAME=VALUE",
+               "with --on: another option for sbatch, without its --, as account=robots; may be repeated");
+  command.flag("--detach", options.detach, "with --on: do not wait for the end of the study");
+}
+
 }  // namespace
 
 void add_run(Command& parent, const Invocation& invocation) {
@@ -94,7 +111,7 @@ void add_run(Command& parent, const Invocation& invocation) {
   command.take("--set", options->set, "PATH=VALUE",
                "a value laid over that document, or over those of its matches; may be repeated");
   add_campaign_options(command, *options, "the study's name with .db");
-  add_cluster_options(command, options->cluster);
+  add_cluster_options(command, options->on_cluster);
   command.notes(run_examples);
   command.run = [options, &command, &invocation] {
     return play(*options, output::OutputFiles(command.given(), "study"), invocation);

@@ -3,11 +3,12 @@
 // which play whatever a document or a file of results is of.
 #pragma once
 
+#include <span>
 #include <string>
 
-#include "cli/invocation.hpp"
 #include "cli/study_options.hpp"
 #include "output/output_files.hpp"
+#include "results/study_kind.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::cli {
@@ -30,5 +31,11 @@ int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& inv
 // Goes on with a tuning whose plan is known.
 int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::OutputFiles outputs,
                  const Invocation& invocation);
+
+// Which studies there are: the one place that knows them all. A new study needs a study::Study in host/study, a
+// report::StudyReport in host/report, a command in host/cli that command_line.cpp adds, and a row in study_kinds.cpp.
+// tests/integration/fifth_study has these and nothing else; what a study with a document of its own needs besides
+// stands in docs/architecture.md.
+std::span<const results::StudyKind> study_kinds();
 
 }  // namespace regista::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/study_kinds.hpp"
-
+// The table of all studies.
 #include <array>
 #include <utility>
 
@@ -14,9 +13,9 @@
 
 namespace regista::cli {
 
-std::span<const StudyKind> study_kinds() {
+std::span<const results::StudyKind> study_kinds() {
   using Report = std::unique_ptr<report::StudyReport>;
-  static const std::array<StudyKind, 3> kinds{{
+  static const std::array<results::StudyKind, 3> kinds{{
       {study::tournament_study, "a tournament",
        [](const std::string& plan, const campaign::Store&, report::CommandOf again) -> Report {
          return report::tournament_report(study::tournament_plan_from_json(plan), std::move(again));

@@ -7,11 +7,11 @@
 
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
 #include "cli/study_commands.hpp"
-#include "cli/study_run.hpp"
 #include "output/output_files.hpp"
 #include "report/tournament_report.hpp"
+#include "results/results_file.hpp"
+#include "results/study_run.hpp"
 #include "study/tournament_setup.hpp"
 
 namespace regista::cli {
@@ -58,12 +58,12 @@ int tournament(StudyOptions options, output::OutputFiles outputs, const Invocati
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
   outputs.check(false);
-  const auto report = report::tournament_report(std::move(planned.plan), play_again(invocation));
-  campaign::Store store = open_results(options.results, options.resume, report->study(),
-                                       {outputs.documents(), planned.documents}, invocation.studies);
-  StudyWishes wishes;
+  const auto report = report::tournament_report(std::move(planned.plan), results::play_again(invocation));
+  campaign::Store store = results::open_results(options.results, options.resume, report->study(),
+                                                {outputs.documents(), planned.documents}, invocation.studies);
+  results::StudyWishes wishes;
   wishes.figures = false;
-  return play_study(*report, options, invocation, store, wishes);
+  return results::play_study(*report, options, invocation, store, wishes);
 }
 
 void add_tournament(Command& parent, const Invocation& invocation) {

@@ -12,14 +12,14 @@
 
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
 #include "cli/study_commands.hpp"
-#include "cli/study_run.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "report/tuned_file.hpp"
 #include "report/tuning_report.hpp"
+#include "results/results_file.hpp"
+#include "results/study_run.hpp"
 #include "study/recording_place.hpp"
 #include "study/tuning/search_time.hpp"
 #include "study/tuning/tuning_setup.hpp"
@@ -47,7 +47,7 @@ int play(report::StudyReport& report, const TuneOptions& options, const Invocati
          const std::function<void()>& at_end) {
   std::optional<output::OutputFile> trace;
   if (!options.trace.empty()) trace.emplace(options.trace);
-  StudyWishes wishes;
+  results::StudyWishes wishes;
   wishes.after = [&report](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
     report.take(round, index, decided);
   };
@@ -58,7 +58,7 @@ int play(report::StudyReport& report, const TuneOptions& options, const Invocati
     }
     if (at_end) at_end();
   };
-  return play_study(report, options, invocation, store, wishes);
+  return results::play_study(report, options, invocation, store, wishes);
 }
 
 }  // namespace
@@ -72,8 +72,8 @@ int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::Out
   study::OutOfTime clock;  // known once there is a file of results
   report::TuningReport report(std::move(plan),
                               [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); });
-  campaign::Store store =
-      open_results(options.results, options.resume, report.study(), {outputs.documents(), {}}, invocation.studies);
+  campaign::Store store = results::open_results(options.results, options.resume, report.study(),
+                                                {outputs.documents(), {}}, invocation.studies);
   try {
     // What was played elsewhere was not played by the clock.
     const bool plays = options.plays != campaign::Options::Plays::nothing_more;

@@ -179,9 +179,4 @@ campaign::Job StudyFolder::of_copies(campaign::Job job, const fs::path& given_in
   return out;
 }
 
-bool is_in_study_folder(const fs::path& results) {
-  std::error_code none;
-  return fs::exists(fs::absolute(results, none).parent_path() / "cluster.json", none);
-}
-
 }  // namespace regista::cluster

@@ -114,7 +114,4 @@ class StudyFolder {
   std::filesystem::path root_;
 };
 
-// Whether results in this file belong to such a folder.
-bool is_in_study_folder(const std::filesystem::path& results);
-
 }  // namespace regista::cluster

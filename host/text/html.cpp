@@ -11,8 +11,6 @@
 
 namespace regista::text {
 
-using visible;
-using visible_lines;
 
 namespace {
 

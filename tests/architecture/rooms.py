@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
-    cli -> cluster, command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> process, sdk
+    cli -> cluster -> results -> command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> process, sdk
     text, statistics, mcap are leaves; config knows text
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
@@ -25,9 +25,10 @@ KNOWS = {
     "report": {"sdk", "text", "config", "process", "plugin", "match", "statistics", "campaign", "study", "recording"},
     "output": {"text", "config", "mcap", "recording", "study", "report"},
     "command": {"text", "config", "plugin", "output"},
-    "cluster": {"text", "config", "process", "plugin", "campaign", "study", "output"},
+    "results": {"text", "config", "process", "plugin", "campaign", "study", "report", "output", "command"},
+    "cluster": {"text", "config", "process", "plugin", "campaign", "study", "report", "output", "command", "results"},
     "cli": {"sdk", "text", "config", "process", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording",
-            "mcap", "output", "command", "cluster", "check"},
+            "mcap", "output", "command", "results", "cluster", "check"},
 }
 
 # What of the SDK the host may include: the interface, and the extensions of it.

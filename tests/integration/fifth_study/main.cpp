@@ -7,11 +7,11 @@
 
 #include "cli/command_line.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
-#include "cli/study_kinds.hpp"
 #include "cli/study_options.hpp"
-#include "cli/study_run.hpp"
 #include "goal_count_report.hpp"
+#include "results/results_file.hpp"
+#include "cli/study_commands.hpp"
+#include "results/study_run.hpp"
 #include "study/tournament_setup.hpp"
 
 namespace regista::cli {
@@ -23,9 +23,9 @@ int count_goals(StudyOptions options, const Invocation& invocation) {
   study::PlannedTournament planned = study::planned_tournament(document, options.plugins, catalogue);
   options.plugin_files = catalogue.used_files();
   report::GoalCountReport report(std::move(planned.plan));
-  campaign::Store store =
-      open_results(options.results, options.resume, report.study(), {{}, planned.documents}, invocation.studies);
-  return play_study(report, options, invocation, store, {});
+  campaign::Store store = results::open_results(options.results, options.resume, report.study(),
+                                                {{}, planned.documents}, invocation.studies);
+  return results::play_study(report, options, invocation, store, {});
 }
 
 void add_count_goals(Command& parent, const Invocation& invocation) {
@@ -45,7 +45,7 @@ void add_count_goals(Command& parent, const Invocation& invocation) {
 
 int main(int argc, char** argv) {
   using namespace regista;
-  std::vector<cli::StudyKind> kinds(cli::study_kinds().begin(), cli::study_kinds().end());
+  std::vector<results::StudyKind> kinds(cli::study_kinds().begin(), cli::study_kinds().end());
   kinds.push_back({study::GoalCount::name, "a count of goals",
                    [](const std::string& plan, const campaign::Store&,
                       const report::CommandOf&) -> std::unique_ptr<report::StudyReport> {

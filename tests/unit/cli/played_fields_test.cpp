@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/study_folder.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
@@ -17,6 +16,7 @@
 #include "report/experiment.hpp"
 #include "report/tournament.hpp"
 #include "report/tuning_problem.hpp"
+#include "results/written_study.hpp"
 #include "text/json.hpp"
 #include "unit/study/experiment_fixture.hpp"
 #include "unit/study/tournament_fixture.hpp"
@@ -126,7 +126,7 @@ void expect_said(Document document, const report::WhatWasPlayed& played) {
   EXPECT_THAT(page, testing::HasSubstr(config::document_text(document)));
 
   const process::TemporaryFolder folder;
-  write_study(played, {}, folder.path() / "again");
+  results::write_study(played, {}, folder.path() / "again");
   std::ifstream in(folder.path() / "again" / "study.yaml");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   Json again = config::to_json(config::parse_text(text, "study.yaml"));

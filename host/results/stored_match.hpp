@@ -9,10 +9,10 @@
 #include "campaign/job.hpp"
 #include "campaign/limits.hpp"
 #include "campaign/stored_setup.hpp"
-#include "cli/study_kinds.hpp"
 #include "plugin/catalogue.hpp"
+#include "results/study_kind.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 struct StoredMatch {
   std::string results, row;  // the file, absolute; as typed
@@ -29,4 +29,4 @@ StoredMatch read_stored_match(const std::string& results, const std::string& row
 std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const plugin::Catalogue& catalogue,
                                               const std::string& program);
 
-}  // namespace regista::cli
+}  // namespace regista::results

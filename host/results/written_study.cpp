@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/study_folder.hpp"
+#include "results/written_study.hpp"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <map>
 #include <utility>
 
-#include "cli/common_names.hpp"
+#include "command/end_of_program.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "output/new_folder.hpp"
 #include "text/message.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -143,4 +143,4 @@ std::vector<std::string> write_study(const report::WhatWasPlayed& played,
   return laying.left_out;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::results

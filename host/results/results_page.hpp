@@ -8,10 +8,10 @@
 #include <string>
 
 #include "campaign/store.hpp"
-#include "cli/study_kinds.hpp"
 #include "output/figure_folder.hpp"
+#include "results/study_kind.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 struct PageWishes {
   std::optional<std::filesystem::path> page;  // the file
@@ -34,4 +34,4 @@ void write_page(const StoredResults& results, const PageWishes& wishes);
 // figures: also as files, in the folder NAME.figures.
 std::optional<std::filesystem::path> write_page_beside(const StoredResults& results, bool figures);
 
-}  // namespace regista::cli
+}  // namespace regista::results

@@ -12,7 +12,7 @@
 #include "report/study_report.hpp"
 #include "study/study.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 class StudyProgress {
  public:
@@ -50,4 +50,4 @@ class StudyProgress {
   Clock::time_point began_ = Clock::now(), drawn_{};
 };
 
-}  // namespace regista::cli
+}  // namespace regista::results

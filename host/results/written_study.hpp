@@ -10,7 +10,7 @@
 #include "campaign/stored_documents.hpp"
 #include "report/what_was_played.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 // documents: that the study was begun with. folder: is made, and must be empty. Returns what could not be taken along,
 // a line each. Throws BadInput and output::WriteError.
@@ -18,4 +18,4 @@ std::vector<std::string> write_study(const report::WhatWasPlayed& played,
                                      const std::vector<campaign::Document>& documents,
                                      const std::filesystem::path& folder);
 
-}  // namespace regista::cli
+}  // namespace regista::results

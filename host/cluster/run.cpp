@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/cluster_run.hpp"
+#include "cluster/run.hpp"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,6 @@
 
 #include "campaign/job_setup.hpp"
 #include "campaign/match_setup.hpp"
-#include "cli/commands.hpp"
-#include "cli/plugin_folders.hpp"
-#include "cli/results_file.hpp"
-#include "cli/study_run.hpp"
 #include "cluster/slurm.hpp"
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
@@ -25,15 +21,14 @@
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "process/program.hpp"
+#include "results/results_file.hpp"
+#include "results/study_run.hpp"
 #include "text/message.hpp"
 
-namespace regista::cli {
+namespace regista::cluster {
 namespace {
 
 namespace fs = std::filesystem;
-using cluster::Progress;
-using cluster::Settings;
-using cluster::StudyFolder;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t most_tasks = 1000;  // of an array, as clusters are usually set (MaxArraySize 1001)
@@ -44,7 +39,7 @@ std::string command_of(const char* name, const StudyFolder& folder) {
 }
 std::string name_of(const StudyFolder& folder) { return text::one_line(folder.root().string()); }
 
-Settings settings_of(const ClusterOptions& options, const campaign::Options& campaign) {
+Settings settings_of(const Options& options, const campaign::Options& campaign) {
   Settings out;
   if (!options.array.empty()) out.tasks = config::parse_whole("--array", options.array, 1, most_tasks);
   if (!options.per_task.empty()) out.matches = config::parse_whole("--per-task", options.per_task, 1, 1'000'000);
@@ -57,10 +52,10 @@ Settings settings_of(const ClusterOptions& options, const campaign::Options& cam
 }
 
 // The files of plugins that the study's matches need: whatever the folders hold besides does not travel.
-std::vector<std::string> plugin_files_of(study::Study& study, const Invocation& invocation) {
-  const std::vector<campaign::Job> jobs = first_jobs(study);
-  if (jobs.empty()) throw BadInput("run: the study asks for no match");
-  const plugin::Catalogue catalogue = open_plugins(jobs.front().plugins, invocation);
+std::vector<std::string> plugin_files_of(study::Study& study, const results::Invocation& invocation) {
+  const std::vector<campaign::Job> jobs = results::first_jobs(study);
+  if (jobs.empty()) throw command::BadInput("run: the study asks for no match");
+  const plugin::Catalogue catalogue = results::open_plugins(jobs.front().plugins, invocation);
   for (const campaign::Job& each : jobs) campaign::match_setup(campaign::request_of(each), catalogue);
   std::vector<std::string> out;
   for (const std::string& each : catalogue.used_files()) out.push_back(fs::absolute(each).lexically_normal().string());
@@ -81,10 +76,10 @@ void write_scripts(const StudyFolder& folder) {
 }
 
 // All that a study needs to be played, in its folder.
-void lay_out(const StudyFolder& folder, Settings settings, const Invocation& invocation) {
+void lay_out(const StudyFolder& folder, Settings settings, const results::Invocation& invocation) {
   const std::string results = folder.results().string();
-  const campaign::Store store = read_results(results);
-  const auto report = stored_study(results, store, {}, invocation.studies);
+  const campaign::Store store = results::read_results(results);
+  const auto report = results::stored_study(results, store, {}, invocation.studies);
   const std::string given_in = report->study().folder();
   settings.plugin_files = plugin_files_of(report->study(), invocation);
   std::vector<fs::path> files(settings.plugin_files.begin(), settings.plugin_files.end());
@@ -97,7 +92,7 @@ void lay_out(const StudyFolder& folder, Settings settings, const Invocation& inv
   write_scripts(folder);
 }
 
-std::string in_words(const cluster::SubmittedBatch& batch) {
+std::string in_words(const SubmittedBatch& batch) {
   return fmt::format("batch {}: job {}, {} matches in {} tasks", batch.number, batch.array_job, batch.matches,
                      batch.tasks);
 }
@@ -110,15 +105,16 @@ std::string minutes_text(double seconds) {
 
 // The report of a study that is complete, and what stands beside its results. Nothing is played.
 int finish(const StudyFolder& folder, const Progress& progress, const campaign::Options& options,
-           const Invocation& invocation) {
+           const results::Invocation& invocation) {
   if (!options.quiet && !progress.message.empty()) command::say(progress.message + '\n');
   campaign::Options own = options;
   own.results = folder.results().string();
   own.resume = own.quiet = true;
   own.plays = campaign::Options::Plays::nothing_more;
-  const std::string plan = stored_plan(read_results(own.results));
-  const StudyKind& kind = kind_of(own.results, plan, invocation.studies);
-  const auto report = stored_study(own.results, read_results(own.results), play_again(invocation), invocation.studies);
+  const std::string plan = results::stored_plan(results::read_results(own.results));
+  const results::StudyKind& kind = results::kind_of(own.results, plan, invocation.studies);
+  const auto report = results::stored_study(own.results, results::read_results(own.results),
+                                            results::play_again(invocation), invocation.studies);
   std::error_code no_folder;  // files are named as they were when it was begun; on a node that folder need not be there
   fs::current_path(report->study().folder(), no_folder);
   using enum output::OutputFiles::Page;
@@ -126,16 +122,16 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
   if (!options.quiet) command::say(fmt::format("results: {}\n", text::one_line(own.results)));
   if (kind.go_on) return kind.go_on(plan, own, outputs, invocation);
-  campaign::Store store = open_results(own.results, true, report->study(), {}, invocation.studies);
-  StudyWishes wishes;
+  campaign::Store store = results::open_results(own.results, true, report->study(), {}, invocation.studies);
+  results::StudyWishes wishes;
   wishes.figures = kind.figures;
-  return play_study(*report, own, invocation, store, wishes);
+  return results::play_study(*report, own, invocation, store, wishes);
 }
 
 // Waits for the end of a study, with a line of progress.
 class Follower {
  public:
-  Follower(const StudyFolder& folder, const campaign::Options& options, const Invocation& invocation)
+  Follower(const StudyFolder& folder, const campaign::Options& options, const results::Invocation& invocation)
       : folder_(folder), options_(options), invocation_(invocation), line_(!options.quiet) {
     const Progress progress = folder.progress();
     batches_ = progress.batches.size();
@@ -159,17 +155,18 @@ class Follower {
       if (progress.state == Progress::State::complete) break;
       if (progress.state != Progress::State::running) {
         line_.clear();
-        throw BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder_),
-                                   progress.state == Progress::State::stopped ? "been stopped" : "failed",
-                                   progress.message, command_to_go_on(folder_)));
+        throw command::BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder_),
+                                            progress.state == Progress::State::stopped ? "been stopped" : "failed",
+                                            progress.message, command_to_go_on(folder_)));
       }
       if (interruption.requested()) {
         line_.clear();
-        throw Interrupted(fmt::format("interrupted; the array plays on; to look: {}; to end it: {}", to_look, to_end),
-                          interruption.signal_number());
+        throw command::Interrupted(
+            fmt::format("interrupted; the array plays on; to look: {}; to end it: {}", to_look, to_end),
+            interruption.signal_number());
       }
       if (Clock::now() >= next_step_) take_step_if_it_is_time(progress);
-      if (line_.due()) line_.show(cli::in_words(status_of(folder_)));
+      if (line_.due()) line_.show(in_words(status_of(folder_)));
       std::this_thread::sleep_for(500ms);
     }
     line_.clear();
@@ -196,7 +193,7 @@ class Follower {
     bool wanted = status_of(folder_).ended > 0;
     try {
       wanted = wanted || jobs_alive(progress).empty();
-    } catch (const cluster::SlurmError&) {
+    } catch (const SlurmError&) {
       // Slurm does not answer just now; the files tell how things stand.
     }
     if (wanted) take_step(folder_, false, invocation_);
@@ -211,14 +208,14 @@ class Follower {
     try {
       while (!interruption.requested() && Clock::now() < until && !jobs_alive(folder_.progress()).empty())
         std::this_thread::sleep_for(300ms);
-    } catch (const cluster::SlurmError&) {
+    } catch (const SlurmError&) {
       // Then the file of results says whether it is in use.
     }
   }
 
   const StudyFolder& folder_;
   const campaign::Options& options_;
-  const Invocation& invocation_;
+  const results::Invocation& invocation_;
   command::RewrittenLine line_;
   std::size_t batches_ = 0;
   std::vector<std::string> remarks_;
@@ -227,31 +224,17 @@ class Follower {
 
 }  // namespace
 
-void add_cluster_options(Command& command, ClusterOptions& options) {
-  command.choose("--on", options.on, {"slurm"}, "play the matches as a job array of this scheduler");
-  command.take("--folder", options.folder, "FOLDER",
-               "with --on: a new folder that all nodes see, for the study; default: its document's name with .cluster",
-               Writes::sources);
-  command.take("--array", options.array, "N", "with --on: at most so many tasks at a time; default 64");
-  command.take(
-      "--per-task", options.per_task, "N",
-      "with --on: at most so many matches in a task, one that is played twice counts as six; default 100. N times "
-      "--array is what a test can be late");
-  command.take("--partition", options.partition, "NAME", "with --on: where the tasks run; default: the cluster's own");
-  command.take("--time", options.time, "TIME", "with --on: limit of a task's time, as sbatch understands it");
-  command.take("--sbatch", options.sbatch, "NAME=VALUE",
-               "with --on: another option for sbatch, without its --, as account=robots; may be repeated");
-  command.flag("--detach", options.detach, "with --on: do not wait for the end of the study");
-}
-
-int run_on_cluster(const ClusterOptions& options, const campaign::Options& campaign, const std::string& file,
-                   const std::function<void(const campaign::Options& options)>& begin, const Invocation& invocation) {
-  if (!campaign.results.empty()) throw BadInput("--results: with --on the results lie in the study's folder: --folder");
-  if (campaign.resume) throw BadInput("--resume: a study on a cluster is gone on with by: regista resume FOLDER");
+int run_on_cluster(const Options& options, const campaign::Options& campaign, const std::string& file,
+                   const std::function<void(const campaign::Options& options)>& begin,
+                   const results::Invocation& invocation) {
+  if (!campaign.results.empty())
+    throw command::BadInput("--results: with --on the results lie in the study's folder: --folder");
+  if (campaign.resume)
+    throw command::BadInput("--resume: a study on a cluster is gone on with by: regista resume FOLDER");
   const Settings settings = settings_of(options, campaign);
   const StudyFolder folder(options.folder.empty() ? fs::path(file).stem().string() + ".cluster" : options.folder);
   folder.create(settings);
-  ClusterStep step;
+  Step step;
   try {
     campaign::Options own = campaign;
     own.results = folder.results().string();
@@ -275,20 +258,21 @@ int run_on_cluster(const ClusterOptions& options, const campaign::Options& campa
   }
   if (options.detach) {
     if (!campaign.quiet) command::say(fmt::format("to look: {}\n", command_of("status", folder)));
-    return exit_done;
+    return command::exit_done;
   }
   return Follower(folder, campaign, invocation).run();
 }
 
-int tell_step(const StudyFolder& folder, const ClusterStep& step, const campaign::Options& options,
-              const Invocation& invocation) {
-  for (const std::string& each : step.gathered.remarks) complain(each);
+int tell_step(const StudyFolder& folder, const Step& step, const campaign::Options& options,
+              const results::Invocation& invocation) {
+  for (const std::string& each : step.gathered.remarks) command::complain(each);
   if (step.gathered.refused > 0)
-    complain(fmt::format("{} matches do not fit; their parts are kept in {}", step.gathered.refused,
-                         text::one_line(folder.set_aside().string())));
+    command::complain(fmt::format("{} matches do not fit; their parts are kept in {}", step.gathered.refused,
+                                  text::one_line(folder.set_aside().string())));
   if (step.progress.state == Progress::State::complete) return finish(folder, step.progress, options, invocation);
   if (step.progress.state == Progress::State::failed)
-    throw BadInput(fmt::format("{}; to go on: {}", text::one_line(step.progress.message), command_to_go_on(folder)));
+    throw command::BadInput(
+        fmt::format("{}; to go on: {}", text::one_line(step.progress.message), command_to_go_on(folder)));
   if (!options.quiet) {
     std::string text = fmt::format("{} matches gathered", step.gathered.rows);
     if (step.submitted > 0) text += ", " + in_words(step.progress.batches.back());
@@ -296,13 +280,13 @@ int tell_step(const StudyFolder& folder, const ClusterStep& step, const campaign
       text += fmt::format("; the study was stopped; to go on: {}", command_to_go_on(folder));
     command::say(text + '\n');
   }
-  return exit_done;
+  return command::exit_done;
 }
 
-ClusterStatus status_of(const StudyFolder& folder) {
-  ClusterStatus out;
+Status status_of(const StudyFolder& folder) {
+  Status out;
   out.progress = folder.progress();
-  for (const cluster::Course& each : cluster::courses(folder)) {
+  for (const Course& each : courses(folder)) {
     out.in_parts += each.done;
     out.failed_in_parts += each.failed;
     if (each.ended) ++out.ended;
@@ -314,7 +298,7 @@ ClusterStatus status_of(const StudyFolder& folder) {
   return out;
 }
 
-std::string in_words(const ClusterStatus& status) {
+std::string in_words(const Status& status) {
   const std::uint64_t done = status.progress.rows + status.in_parts, all = status.progress.matches;
   std::string out = fmt::format("{} of {} matches", done, all);
   if (status.failed_in_parts > 0) out += fmt::format(", {} forfeited or set aside lately", status.failed_in_parts);
@@ -327,4 +311,4 @@ std::string in_words(const ClusterStatus& status) {
   return out;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::cluster

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/results_page.hpp"
+#include "results/results_page.hpp"
 
 #include <fmt/format.h>
 
@@ -7,14 +7,14 @@
 #include <string_view>
 #include <system_error>
 
-#include "cli/common_names.hpp"
-#include "cli/results_file.hpp"
+#include "command/end_of_program.hpp"
 #include "output/output.hpp"
 #include "process/program.hpp"
 #include "report/page_parts.hpp"
+#include "results/results_file.hpp"
 #include "study/recording_place.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 namespace {
 
 namespace fs = std::filesystem;
@@ -44,10 +44,10 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
                      });
     report->end_page();
     if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
-      complain(fmt::format("{} holds {}", results.file.string(), incomplete));
+      command::complain(fmt::format("{} holds {}", results.file.string(), incomplete));
     }
     output::DrawnFigures drawn = output::draw_figures(report->figures(), wishes.figures);
-    if (!drawn.why_not.empty()) complain(drawn.why_not);
+    if (!drawn.why_not.empty()) command::complain(drawn.why_not);
     report::PageFrame frame;
     frame.figures = std::move(drawn.figures);
     if (!wishes.page) return;
@@ -57,7 +57,7 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
     frame.documents = stored_documents(results.store);
     output::write_whole(*wishes.page, report->page(std::move(frame)), wishes.figures.existing);
   } catch (const campaign::StoreError& error) {
-    throw BadInput(error.what());
+    throw command::BadInput(error.what());
   } catch (const std::system_error& error) {
     throw output::WriteError(error.what());
   }
@@ -69,7 +69,7 @@ std::optional<fs::path> write_page_beside(const StoredResults& results, bool fig
     std::error_code error;
     const bool exists = fs::exists(page, error);
     if (exists && !is_our_page(page)) {
-      complain(fmt::format("no page is written: {} is none of Regista's pages, and stays", page.string()));
+      command::complain(fmt::format("no page is written: {} is none of Regista's pages, and stays", page.string()));
       return std::nullopt;
     }
     PageWishes wishes;
@@ -82,9 +82,9 @@ std::optional<fs::path> write_page_beside(const StoredResults& results, bool fig
     write_page(results, wishes);
     return page;
   } catch (const std::exception& error) {
-    complain(fmt::format("no page is written, the results are safe: {}", error.what()));
+    command::complain(fmt::format("no page is written, the results are safe: {}", error.what()));
     return std::nullopt;
   }
 }
 
-}  // namespace regista::cli
+}  // namespace regista::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/stored_match.hpp"
+#include "results/stored_match.hpp"
 
 #include <fmt/format.h>
 
@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-#include "cli/common_names.hpp"
-#include "cli/results_file.hpp"
+#include "command/end_of_program.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
 #include "process/program.hpp"
+#include "results/results_file.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 StoredMatch read_stored_match(const std::string& results, const std::string& row, std::span<const StudyKind> kinds) {
   const campaign::Store store = read_results(results);
@@ -28,17 +28,18 @@ StoredMatch read_stored_match(const std::string& results, const std::string& row
   out.limits = study.limits();
   try {
     auto played = stored_match(store, study, number);
-    if (!played) throw BadInput(fmt::format("--row {}: this match of {} has not been played", number, results));
+    if (!played)
+      throw command::BadInput(fmt::format("--row {}: this match of {} has not been played", number, results));
     out.job = std::move(played->job);
     out.decided = std::move(played->decided);
   } catch (const campaign::StoreError& error) {
-    throw BadInput(error.what());
+    throw command::BadInput(error.what());
   }
   std::error_code error;
   std::filesystem::current_path(study.folder(), error);
   if (error) {
-    throw BadInput(fmt::format("--from {}: the folder it was begun in, {}, cannot be entered: {}", results,
-                               study.folder(), error.message()));
+    throw command::BadInput(fmt::format("--from {}: the folder it was begun in, {}, cannot be entered: {}", results,
+                                        study.folder(), error.message()));
   }
   return out;
 }
@@ -50,14 +51,14 @@ std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const p
   if (out->missing().empty()) return out;
   std::vector<std::string> words = campaign::match_arguments(stored.job);
   words.insert(words.begin(), program);
-  throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
-                             stored.row, out->missing(), process::shell_line(words)));
+  throw command::BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
+                                      stored.row, out->missing(), process::shell_line(words)));
 } catch (const std::system_error& error) {
   throw output::WriteError(fmt::format("the files of the match cannot be laid out again: {}", error.what()));
 } catch (const std::invalid_argument& error) {
-  throw BadInput(fmt::format("results in {} are damaged: {}", stored.results, error.what()));
+  throw command::BadInput(fmt::format("results in {} are damaged: {}", stored.results, error.what()));
 } catch (const campaign::StoreError& error) {
-  throw BadInput(error.what());
+  throw command::BadInput(error.what());
 }
 
-}  // namespace regista::cli
+}  // namespace regista::results

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "campaign/store.hpp"
-#include "cli/study_kinds.hpp"
 #include "process/temporary_folder.hpp"
 #include "report/study_report.hpp"
+#include "results/study_kind.hpp"
 #include "study/study.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 // What a file of results keeps of what its study was begun with.
 struct BegunWith {
@@ -71,4 +71,4 @@ std::vector<campaign::Job> first_jobs(study::Study& study);
 // The match in a row of the file, from 1; nothing when it has not been played. Throws campaign::StoreError.
 std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, study::Study& study, std::uint64_t row);
 
-}  // namespace regista::cli
+}  // namespace regista::results

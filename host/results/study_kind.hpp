@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which studies there are: the one place that knows them all. Whoever reads a file of results finds here what it holds.
-//
-// A new study needs a study::Study in host/study, a report::StudyReport in host/report, a command in host/cli that
-// command_line.cpp adds, and a row in study_kinds.cpp. tests/integration/fifth_study has these and nothing else; what a
-// study with a document of its own needs besides stands in docs/architecture.md.
+// A kind of study, as a file of results needs it: which report reads its plan, and how it goes on.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +11,11 @@
 
 #include "campaign/options.hpp"
 #include "campaign/store.hpp"
-#include "cli/invocation.hpp"
 #include "output/output_files.hpp"
 #include "report/study_report.hpp"
+#include "results/invocation.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 struct StudyKind {
   std::string_view name;     // as the plan calls it: {"study": NAME, ...}
@@ -39,6 +35,4 @@ struct StudyKind {
       go_on{};
 };
 
-std::span<const StudyKind> study_kinds();
-
-}  // namespace regista::cli
+}  // namespace regista::results

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "cli/study_progress.hpp"
+#include "results/study_progress.hpp"
 
 #include <fmt/format.h>
 #include <sys/ioctl.h>
 
 #include <algorithm>
 
-#include "cli/common_names.hpp"
+#include "command/end_of_program.hpp"
 #include "command/terminal.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 namespace {
 
 constexpr std::chrono::milliseconds between_drawings{200};
@@ -107,7 +107,7 @@ void StudyProgress::show(const std::string& block) {
 
 void StudyProgress::print(std::string_view line) {
   clear();
-  complain(line);
+  command::complain(line);
 }
 
 void StudyProgress::note(const std::string& line) {
@@ -133,4 +133,4 @@ void StudyProgress::stopped() {
   if (wanted_ && taken_ > 0) command::say(report_.text());
 }
 
-}  // namespace regista::cli
+}  // namespace regista::results

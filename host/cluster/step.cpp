@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/cluster_step.hpp"
+#include "cluster/step.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,23 +14,20 @@
 #include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
 #include "campaign/mathematics.hpp"
-#include "cli/common_names.hpp"
-#include "cli/results_file.hpp"
 #include "cluster/batch.hpp"
 #include "cluster/missing.hpp"
 #include "cluster/slurm.hpp"
+#include "command/end_of_program.hpp"
 #include "output/output.hpp"
 #include "output/replaced_file.hpp"
 #include "process/program.hpp"
+#include "results/results_file.hpp"
 #include "text/message.hpp"
 
-namespace regista::cli {
+namespace regista::cluster {
 namespace {
 
 namespace fs = std::filesystem;
-using cluster::Progress;
-using cluster::Settings;
-using cluster::StudyFolder;
 
 constexpr std::uint64_t most_fruitless = 5;  // a batch of few matches may be preempted again and again
 constexpr std::size_t most_remarks = 20;
@@ -43,9 +40,9 @@ campaign::Store opened(const StudyFolder& folder) {
     try {
       return {folder.results(), campaign::Store::Mode::open, REGISTA_VERSION, campaign::Journal::rollback};
     } catch (const campaign::StoreInUse& error) {
-      if (std::chrono::steady_clock::now() > until) throw BadInput(error.what());
+      if (std::chrono::steady_clock::now() > until) throw command::BadInput(error.what());
     } catch (const campaign::StoreRefusal& error) {
-      throw BadInput(error.what());
+      throw command::BadInput(error.what());
     } catch (const campaign::StoreDiskError& error) {
       throw output::WriteError(error.what());
     }
@@ -91,13 +88,13 @@ void leave_out(const std::vector<std::string>& nodes, std::vector<std::string>& 
 }
 
 // Of the last batch.
-cluster::JobRequest array_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
-  const cluster::SubmittedBatch& batch = progress.batches.back();
-  cluster::JobRequest out;
+JobRequest array_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
+  const SubmittedBatch& batch = progress.batches.back();
+  JobRequest out;
   out.name = fmt::format("{}-{}", folder.root().filename().string(), batch.number);
   out.script = folder.root() / "task.sh";
   out.arguments = {std::to_string(batch.number)};
-  out.output = cluster::in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", batch.number);
+  out.output = in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", batch.number);
   out.tasks = batch.tasks;
   out.processors = settings.workers;
   out.options = options_of_tasks(settings);
@@ -105,12 +102,12 @@ cluster::JobRequest array_request(const StudyFolder& folder, const Settings& set
   return out;
 }
 
-cluster::JobRequest gather_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
-  const cluster::SubmittedBatch& batch = progress.batches.back();
-  cluster::JobRequest out;
+JobRequest gather_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
+  const SubmittedBatch& batch = progress.batches.back();
+  JobRequest out;
   out.name = folder.root().filename().string() + "-gather";
   out.script = folder.root() / "gather.sh";
-  out.output = cluster::in_pattern(folder.logs()) + fmt::format("/{}-gather.txt", batch.number);
+  out.output = in_pattern(folder.logs()) + fmt::format("/{}-gather.txt", batch.number);
   out.after = batch.array_job;
   out.options = options_of_gather(settings);
   leave_out(progress.refused_nodes, out.options);
@@ -118,30 +115,30 @@ cluster::JobRequest gather_request(const StudyFolder& folder, const Settings& se
 }
 
 void submit_gather(const StudyFolder& folder, const Settings& settings, Progress& progress) {
-  progress.batches.back().gather_job = cluster::submit(gather_request(folder, settings, progress));
+  progress.batches.back().gather_job = submit(gather_request(folder, settings, progress));
   folder.write(progress);
 }
 
-void submit_next(const StudyFolder& folder, const Settings& settings, const cluster::Missing& missing,
-                 std::uint64_t rows, Progress& progress) {
-  cluster::Batch batch;
+void submit_next(const StudyFolder& folder, const Settings& settings, const Missing& missing, std::uint64_t rows,
+                 Progress& progress) {
+  Batch batch;
   batch.first_row = missing.first_row;
   batch.may_end_early = missing.may_end_early;
-  batch.tasks = cluster::shared_out(missing.places, missing.twice, settings.matches, settings.tasks);
-  cluster::SubmittedBatch submitted;
+  batch.tasks = shared_out(missing.places, missing.twice, settings.matches, settings.tasks);
+  SubmittedBatch submitted;
   submitted.number = progress.batches.size() + 1;
   submitted.tasks = batch.tasks.size();
   submitted.matches = batch.matches();
   submitted.rows_before = rows;
   if (!missing.is_first) copy_over(folder.results(), folder.known_before(submitted.number));
-  output::write_whole(folder.batch(submitted.number), cluster::to_json(batch), output::Existing::replaced);
+  output::write_whole(folder.batch(submitted.number), to_json(batch), output::Existing::replaced);
 
   progress.batches.push_back(submitted);
   folder.write(progress);  // before: who goes on after a kill asks Slurm for it
   std::string& job = progress.batches.back().array_job;
   try {
-    job = cluster::submit(array_request(folder, settings, progress));
-  } catch (const cluster::SlurmError&) {
+    job = submit(array_request(folder, settings, progress));
+  } catch (const SlurmError&) {
     progress.batches.pop_back();
     folder.write(progress);
     throw;
@@ -149,7 +146,7 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
   try {
     folder.write(progress);  // so that the array is known, whatever becomes of the next
   } catch (...) {
-    cluster::cancel({job});
+    cancel({job});
     throw;
   }
   submit_gather(folder, settings, progress);
@@ -158,13 +155,13 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const clus
 // Who submitted the last jobs may have been killed before it noted their numbers.
 void find_unnoted_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   if (progress.batches.empty()) return;
-  cluster::SubmittedBatch& batch = progress.batches.back();
-  if (batch.array_job.empty()) batch.array_job = cluster::job_of(array_request(folder, settings, progress));
-  if (batch.gather_job.empty()) batch.gather_job = cluster::job_of(gather_request(folder, settings, progress));
+  SubmittedBatch& batch = progress.batches.back();
+  if (batch.array_job.empty()) batch.array_job = job_of(array_request(folder, settings, progress));
+  if (batch.gather_job.empty()) batch.gather_job = job_of(gather_request(folder, settings, progress));
 }
 
 // What this step found about parts and nodes, after what earlier ones did.
-void keep_remarks(const cluster::Gathered& gathered, Progress& progress) {
+void keep_remarks(const Gathered& gathered, Progress& progress) {
   for (const std::string& each : gathered.refused_nodes) {
     if (std::ranges::find(progress.refused_nodes, each) == progress.refused_nodes.end())
       progress.refused_nodes.push_back(each);
@@ -177,17 +174,16 @@ void keep_remarks(const cluster::Gathered& gathered, Progress& progress) {
 // Nobody comes after the array where the job for that was ended, or was refused.
 void require_gather_job(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   const std::string& job = progress.batches.back().gather_job;
-  if (job.empty() || (!cluster::is_within({job}) && cluster::alive({job}).empty()))
-    submit_gather(folder, settings, progress);
+  if (job.empty() || (!is_within({job}) && alive({job}).empty())) submit_gather(folder, settings, progress);
 }
 
 // What plays on is not wanted any more: a test has decided.
 void end_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   const std::string& array = progress.batches.back().array_job;
-  if (!cluster::is_within({array})) return cluster::cancel(jobs_alive(progress));
+  if (!is_within({array})) return cancel(jobs_alive(progress));
   // A task ends its own array, and with it this process; the job after that one says what came of the study.
   require_gather_job(folder, settings, progress);
-  cluster::cancel({array});
+  cancel({array});
 }
 
 void complete(const StudyFolder& folder, const Settings& settings, std::uint64_t rows, std::uint64_t seen,
@@ -202,38 +198,37 @@ void complete(const StudyFolder& folder, const Settings& settings, std::uint64_t
   if (progress.batches.empty() || (was && !array_lives)) return;
   try {
     end_jobs(folder, settings, progress);
-  } catch (const cluster::SlurmError& error) {
+  } catch (const SlurmError& error) {
     progress.remarks.push_back(error.what());
     folder.write(progress);
   }
 }
 
 void require_same_results_here(const StudyFolder& folder, const campaign::Store& results,
-                               const Invocation& invocation) {
+                               const results::Invocation& invocation) {
   const std::vector<campaign::Job> jobs =
-      first_jobs(stored_study(folder.results().string(), results, {}, invocation.studies)->study());
+      results::first_jobs(results::stored_study(folder.results().string(), results, {}, invocation.studies)->study());
   if (jobs.empty()) return;
   const std::string different = what_differs_here(jobs.front());
   if (different.empty()) return;
-  throw BadInput(fmt::format(
+  throw command::BadInput(fmt::format(
       "this machine is none to go on with the study: {}; on one of its nodes: {}", different,
       process::shell_line(std::vector<std::string>{folder.program().string(), "gather", folder.root().string()})));
 }
 
 // The file of results is held.
-ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool restart, const Invocation& invocation) {
+Step step(const StudyFolder& folder, campaign::Store& results, bool restart, const results::Invocation& invocation) {
   const Settings settings = folder.settings();
-  ClusterStep out;
+  Step out;
   Progress& progress = out.progress = folder.progress();
   const bool has_batch = !progress.batches.empty();
   find_unnoted_jobs(folder, settings, progress);
-  const bool array_lives = has_batch && !cluster::alive({progress.batches.back().array_job}).empty();
-  out.gathered = cluster::gather(folder, results, array_lives ? cluster::Tasks::ended : cluster::Tasks::killed_too,
-                                 REGISTA_VERSION);
+  const bool array_lives = has_batch && !alive({progress.batches.back().array_job}).empty();
+  out.gathered = gather(folder, results, array_lives ? Tasks::ended : Tasks::killed_too, REGISTA_VERSION);
   keep_remarks(out.gathered, progress);
   folder.write(progress);  // whatever is met below
-  const auto report = stored_study(folder.results().string(), results, {}, invocation.studies);
-  const cluster::Missing missing = cluster::missing_of(report->study(), results, settings.tasks * settings.matches);
+  const auto report = results::stored_study(folder.results().string(), results, {}, invocation.studies);
+  const Missing missing = missing_of(report->study(), results, settings.tasks * settings.matches);
   progress.title = report->title();
   progress.matches = report->study().most_matches();
   progress.finding = report->study().counted() > 0 ? report->headline() : "";
@@ -272,7 +267,7 @@ ClusterStep step(const StudyFolder& folder, campaign::Store& results, bool resta
     } else {
       std::error_code none;
       if (has_batch) fs::remove(folder.known_before(progress.batches.size()), none);
-      if (stored_plan(read_results(folder.plan().string())) != stored_plan(results))
+      if (results::stored_plan(results::read_results(folder.plan().string())) != results::stored_plan(results))
         folder.write_plan(results, REGISTA_VERSION);  // it was given more pairs
       submit_next(folder, settings, missing, progress.rows, progress);
       out.submitted = progress.batches.back().matches;
@@ -300,12 +295,12 @@ std::string what_differs_here(const campaign::Job& planned) {
 
 std::vector<std::string> jobs_alive(const Progress& progress) {
   std::vector<std::string> all;
-  for (const cluster::SubmittedBatch& each : progress.batches) {
+  for (const SubmittedBatch& each : progress.batches) {
     for (const std::string& job : {each.array_job, each.gather_job}) {
-      if (!job.empty() && !cluster::is_within({job})) all.push_back(job);
+      if (!job.empty() && !is_within({job})) all.push_back(job);
     }
   }
-  return cluster::alive(all);
+  return alive(all);
 }
 
 void stop_study(const StudyFolder& folder) {
@@ -313,22 +308,22 @@ void stop_study(const StudyFolder& folder) {
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
-    throw BadInput(fmt::format("stop: {}: the study is complete", text::one_line(folder.root().string())));
+    throw command::BadInput(fmt::format("stop: {}: the study is complete", text::one_line(folder.root().string())));
   try {
     find_unnoted_jobs(folder, settings, progress);
-    cluster::cancel(jobs_alive(progress));
-  } catch (const cluster::SlurmError& error) {
-    throw BadInput(error.what());
+    cancel(jobs_alive(progress));
+  } catch (const SlurmError& error) {
+    throw command::BadInput(error.what());
   }
   progress.state = Progress::State::stopped;
   progress.message = "it was stopped";
   folder.write(progress);
 }
 
-void look_whether_it_is_over(const StudyFolder& folder, const Invocation& invocation) {
+void look_whether_it_is_over(const StudyFolder& folder, const results::Invocation& invocation) {
   const auto something_is_left = [&folder] {
-    const std::vector<cluster::Course> courses = cluster::courses(folder);
-    return std::ranges::any_of(courses, &cluster::Course::ended);
+    const std::vector<Course> all = courses(folder);
+    return std::ranges::any_of(all, &Course::ended);
   };
   try {
     int looks = 0;
@@ -345,11 +340,11 @@ void look_whether_it_is_over(const StudyFolder& folder, const Invocation& invoca
   } catch (const campaign::StoreInUse&) {
     // Somebody else takes a step just now.
   } catch (const std::exception& error) {
-    complain(fmt::format("whether the study is over was not seen: {}", error.what()));  // the next step looks
+    command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));  // the next step looks
   }
 }
 
-ClusterStep take_step(const StudyFolder& folder, bool restart, const Invocation& invocation) {
+Step take_step(const StudyFolder& folder, bool restart, const results::Invocation& invocation) {
   folder.settings();  // else the folder is none of a study
   campaign::Store results = opened(folder);
   require_same_results_here(folder, results, invocation);
@@ -363,17 +358,17 @@ ClusterStep take_step(const StudyFolder& folder, bool restart, const Invocation&
   };
   try {
     return step(folder, results, restart, invocation);
-  } catch (const cluster::SlurmError& error) {
-    throw BadInput(failed(error.what()));
+  } catch (const SlurmError& error) {
+    throw command::BadInput(failed(error.what()));
   } catch (const study::StudyError& error) {
-    throw BadInput(failed(error.what()));
+    throw command::BadInput(failed(error.what()));
   } catch (const campaign::StoreRefusal& error) {
-    throw BadInput(failed(error.what()));
+    throw command::BadInput(failed(error.what()));
   } catch (const campaign::StoreDiskError& error) {
     throw output::WriteError(fmt::format("{}; to go on: {}", error.what(), command_to_go_on(folder)));
   } catch (const campaign::StoreError& error) {
-    throw BadInput(failed(error.what()));
+    throw command::BadInput(failed(error.what()));
   }
 }
 
-}  // namespace regista::cli
+}  // namespace regista::cluster

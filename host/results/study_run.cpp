@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/study_run.hpp"
+#include "results/study_run.hpp"
 
 #include <fmt/format.h>
 
@@ -11,17 +11,17 @@
 #include <vector>
 
 #include "campaign/engine.hpp"
-#include "cli/common_names.hpp"
-#include "cli/results_page.hpp"
-#include "cli/study_progress.hpp"
+#include "command/end_of_program.hpp"
 #include "command/interruption.hpp"
 #include "command/terminal.hpp"
 #include "output/output.hpp"
 #include "process/program.hpp"
+#include "results/results_page.hpp"
+#include "results/study_progress.hpp"
 #include "study/recording_place.hpp"
 #include "text/message.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 namespace {
 
 std::string resume_line(const campaign::Options& options, const Invocation& invocation) {
@@ -115,7 +115,7 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
     if (finish != campaign::Finish::interrupted) return;
     progress.clear();
     progress.stopped();
-    throw Interrupted(
+    throw command::Interrupted(
         fmt::format("interrupted after {} of {} matches; to go on: {}", study.counted(), study.most_matches(), resume),
         interruption.signal_number());
   };
@@ -134,16 +134,16 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
     progress.clear();
   } catch (const study::StudyError& error) {
     progress.clear();
-    throw BadInput(fmt::format("{}: {}", study.what(), error.what()));
+    throw command::BadInput(fmt::format("{}: {}", study.what(), error.what()));
   } catch (const campaign::CampaignError& error) {
     progress.clear();
     if (error.kind() == campaign::CampaignError::Kind::input) {
-      throw BadInput(fmt::format("while the {} was played: {}", study.what(), error.what()));
+      throw command::BadInput(fmt::format("while the {} was played: {}", study.what(), error.what()));
     }
     throw output::WriteError(to_go_on(error.what()));
   } catch (const campaign::StoreDamaged& error) {
     progress.clear();
-    throw BadInput(error.what());
+    throw command::BadInput(error.what());
   } catch (const campaign::StoreGone& error) {
     progress.clear();
     throw output::WriteError(error.what());
@@ -169,9 +169,9 @@ report::CommandOf play_again(const Invocation& invocation) {
 
 int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                campaign::Store& store, const StudyWishes& wishes) {
-  if (options.plays == campaign::Options::Plays::nothing_yet) return exit_done;
+  if (options.plays == campaign::Options::Plays::nothing_yet) return command::exit_done;
   {
-    for (const std::string& each : report.played().changed) complain(each);
+    for (const std::string& each : report.played().changed) command::complain(each);
     StudyProgress progress(report, !options.quiet);
     for (const std::string& each : report.notes()) progress.note(each);
     progress.begin();
@@ -179,10 +179,10 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
   }
   if (wishes.at_end) wishes.at_end();
   output::print(options.json ? report.json() : report.text());
-  if (options.no_page) return exit_done;
+  if (options.no_page) return command::exit_done;
   const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
   if (page && !options.quiet) command::say(fmt::format("page: {}\n", text::one_line(page->string())));
-  return exit_done;
+  return command::exit_done;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::results

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cli/results_file.hpp"
+#include "results/results_file.hpp"
 
 #include <fmt/format.h>
 
@@ -12,14 +12,13 @@
 
 #include "campaign/document_copies.hpp"
 #include "campaign/inputs.hpp"
-#include "cli/common_names.hpp"
-#include "cluster/study_folder.hpp"
+#include "command/end_of_program.hpp"
 #include "output/output.hpp"
 #include "study/plan_names.hpp"
 #include "text/json.hpp"
 #include "text/message.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 namespace {
 
 // Their names in the file.
@@ -33,7 +32,7 @@ std::vector<std::string> differences(const std::string& file, const std::string&
   try {
     return now.differences(before);
   } catch (const std::invalid_argument& error) {
-    throw BadInput(fmt::format("{}: {}", file, error.what()));
+    throw command::BadInput(fmt::format("{}: {}", file, error.what()));
   }
 }
 
@@ -43,13 +42,15 @@ std::string other_program(const campaign::Store& store) {
   return began.empty() || began == REGISTA_VERSION ? std::string() : fmt::format("; Regista {} began it", began);
 }
 
-// In a study's folder on a cluster, other machines read it.
+// In a study's folder on a cluster (cluster/study_folder.hpp) other machines read it.
 campaign::Journal journal_of(const std::string& file) {
-  return cluster::is_in_study_folder(file) ? campaign::Journal::rollback : campaign::Journal::log;
+  std::error_code none;
+  const std::filesystem::path folder = std::filesystem::absolute(file, none).parent_path();
+  return std::filesystem::exists(folder / "cluster.json", none) ? campaign::Journal::rollback : campaign::Journal::log;
 }
 
 void remark_on(const campaign::Store& store) {
-  if (const std::string remark = store.remark(); !remark.empty()) complain(remark);
+  if (const std::string remark = store.remark(); !remark.empty()) command::complain(remark);
 }
 
 template <class Open>
@@ -57,11 +58,11 @@ auto opening(Open open) {
   try {
     return open();
   } catch (const campaign::StoreRefusal& error) {
-    throw BadInput(error.what());
+    throw command::BadInput(error.what());
   } catch (const campaign::StoreDiskError& error) {
     throw output::WriteError(error.what());
   } catch (const campaign::StoreError& error) {
-    throw BadInput(error.what());
+    throw command::BadInput(error.what());
   }
 }
 
@@ -71,7 +72,7 @@ const StudyKind& kind_of(const std::string& file, const std::string& plan, std::
   const std::string study = study::study_of(plan);
   const auto found = std::ranges::find(kinds, study, &StudyKind::name);
   if (found == kinds.end()) {
-    throw BadInput(
+    throw command::BadInput(
         fmt::format("{}: {}", file, study.empty() ? "its plan is damaged" : "these are results of another study"));
   }
   return *found;
@@ -85,12 +86,12 @@ void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const St
     const std::string before = store.meta(schedule);
     const StudyKind& kind = kind_of(file, before, kinds);
     if (!kind.with_pairs)
-      throw BadInput(fmt::format("--pairs {}: {}: {} has no number of pairs", pairs, file, kind.article));
+      throw command::BadInput(fmt::format("--pairs {}: {}: {} has no number of pairs", pairs, file, kind.article));
     try {
       const std::string now = kind.with_pairs(before, pairs);
       if (now != before) store.set_meta(schedule, now);
     } catch (const std::invalid_argument& error) {
-      throw BadInput(fmt::format("--pairs {}: {}: {}", pairs, file, error.what()));
+      throw command::BadInput(fmt::format("--pairs {}: {}: {}", pairs, file, error.what()));
     }
   });
 }
@@ -99,7 +100,8 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
                              const BegunWith& begun_with, std::span<const StudyKind> kinds) {
   std::error_code error;
   if (resume && std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
-    throw BadInput(fmt::format("--resume: {}: no such file; without --resume it is begun", text::one_line(file)));
+    throw command::BadInput(
+        fmt::format("--resume: {}: no such file; without --resume it is begun", text::one_line(file)));
   }
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION,
@@ -115,7 +117,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     }
     const std::vector<std::string> changed = differences(file, stored, study, kinds);
     if (changed.empty()) return store;
-    throw BadInput(
+    throw command::BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
                     "--results names a new file{}",
                     file, text::join(changed), other_program(store)));
@@ -135,7 +137,7 @@ std::vector<std::string> stored_documents(const campaign::Store& store) {
 campaign::Store read_results(const std::string& file) {
   return opening([&] {
     campaign::Store store(file, campaign::Store::Mode::read, REGISTA_VERSION);
-    if (store.meta(schedule).empty()) throw BadInput(fmt::format("{}: holds no study yet", file));
+    if (store.meta(schedule).empty()) throw command::BadInput(fmt::format("{}: holds no study yet", file));
     return store;
   });
 }
@@ -170,10 +172,10 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
         // The folders in which they were begun may differ.
         const std::vector<std::string> changed = differences(name, plan, study->study(), kinds);
         if (!changed.empty())
-          throw BadInput(fmt::format("{} and {} are not of one study: {}", first, name, text::join(changed)));
+          throw command::BadInput(fmt::format("{} and {} are not of one study: {}", first, name, text::join(changed)));
       }
       const campaign::Taken taken = store_->take(part, Store::Unknown::planned);
-      if (taken.refused > 0) throw BadInput(fmt::format("{}: {}", name, taken.why.front()));
+      if (taken.refused > 0) throw command::BadInput(fmt::format("{}: {}", name, taken.why.front()));
     }
   });
 }
@@ -185,7 +187,7 @@ std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const
     try {
       return kind_of(file, plan, kinds).report(plan, store, std::move(again));
     } catch (const std::invalid_argument& error) {
-      throw BadInput(fmt::format("{}: {}", file, error.what()));
+      throw command::BadInput(fmt::format("{}: {}", file, error.what()));
     }
   });
 }
@@ -234,4 +236,4 @@ std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, s
   return std::nullopt;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::results

@@ -7,11 +7,11 @@
 
 #include "campaign/options.hpp"
 #include "campaign/store.hpp"
-#include "cli/commands.hpp"
 #include "report/study_report.hpp"
+#include "results/invocation.hpp"
 #include "study/study.hpp"
 
-namespace regista::cli {
+namespace regista::results {
 
 // What a command does besides. Each may be empty.
 struct StudyWishes {
@@ -29,4 +29,4 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
 // The command that plays a match by itself, by the name the program was called by. The invocation outlives it.
 report::CommandOf play_again(const Invocation& invocation);
 
-}  // namespace regista::cli
+}  // namespace regista::results

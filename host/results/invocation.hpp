@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace regista::cli {
+#include "plugin/catalogue.hpp"
+
+namespace regista::results {
 
 struct StudyKind;
 
@@ -24,4 +26,9 @@ struct Invocation {
   }
 };
 
-}  // namespace regista::cli
+// Plugins as commands look for them: in the folders of `--plugins`, then in those of the environment variable
+// REGISTA_PLUGIN_PATH, then in the one that belongs to the program: ../lib/regista/plugins, seen from its own folder.
+// Throws config::Error for a folder of an option that is none.
+plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
+
+}  // namespace regista::results
