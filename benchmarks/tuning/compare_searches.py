@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Search algorithms beside each other on a tuning of your own: each searches several times with other seeds and an
-equal budget, and what each run came to plays the base team's opponents on seeds that none of them has seen.
+equal budget, and what each run came to plays the base team's opponents on seeds that none of them has seen. It is
+judged by the goal difference, whatever the tuning's objective is.
 
     benchmarks/tuning/compare_searches.py build/release/bin/regista TUNING.yaml spsa random_search --repeats 3 \\
         --matches 60 --pairs 20
@@ -17,6 +18,7 @@ import statistics
 import subprocess
 import tempfile
 
+MOST_RUNS = 31
 HELD_OUT = 1_000_000_000  # first seed of the matches that judge; searches begin at small ones
 
 
@@ -35,6 +37,8 @@ def main():
     parser.add_argument("--matches", type=int, default=400, help="of each search")
     parser.add_argument("--pairs", type=int, default=50, help="that judge each run, against each opponent")
     asked = parser.parse_args()
+    if asked.repeats * len(asked.algorithms) > MOST_RUNS:
+        parser.error(f"at most {MOST_RUNS} runs, as an experiment has 32 arms")
     program = str(pathlib.Path(asked.program).resolve())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -53,11 +57,11 @@ def main():
         absolute = {key: str(here / document[key]) for key in ("rules", "robot", "disturbance", "opponent_disturbance")
                     if key in document}
         experiment = {
-            "arms": [{"name": "base", "team": str(here / document["team"]), "set": document.get("set", {})},
-                     *arms.values()],
+            "arms": [{"name": "base", "team": str(here / document["team"])}, *arms.values()],
             "matches": 2 * asked.pairs, "seed": HELD_OUT, "measures": ["goal_difference"],
             "primary": {"measure": "goal_difference", "compare": [[run, "base"] for run in arms]}, **absolute,
-            **{key: document[key] for key in ("limit",) if key in document},
+            **{key: document[key] for key in ("limit", "limits", "set", "allow_shared_memory")
+                          if key in document},
             **({"openings": [str(here / each) for each in document["openings"]]} if "openings" in document else {}),
         }
         differences = dict.fromkeys(arms, 0.0)

@@ -56,9 +56,11 @@ int experiment(ExperimentOptions options, output::OutputFiles outputs, const Inv
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
   outputs.check(options.force);
-  const auto report = report::experiment_report(std::move(plan), results::play_again(invocation));
+  auto report = report::experiment_report(std::move(plan), results::play_again(invocation));
   campaign::Store store = results::open_results(options.results, options.resume, report->study(),
                                                 {outputs.documents(), {}}, invocation.studies);
+  if (options.resume)
+    report = results::stored_study(options.results, store, results::play_again(invocation), invocation.studies);
   std::optional<output::OutputFile> csv;
   results::StudyWishes wishes;
   if (!options.csv.empty()) {

@@ -126,18 +126,22 @@ report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::M
   const campaign::FoundInputs inputs =
       campaign::inputs_of(prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
   config::MatchSettings settings;
-  settings.rules = job.rules;
-  settings.robot = job.robot;
+  // A name without a file means the built-in profile.
+  const auto file_of = [](const std::string& name) { return std::filesystem::exists(name) ? name : std::string(); };
+  settings.rules = file_of(job.rules);
+  settings.robot = file_of(job.robot);
   settings.limit = prepared.setup.limit;
+  // The opening is among the inputs that both teams have.
   std::vector<campaign::Input> openings;
   if (prepared.setup.opening) openings.push_back(campaign::opening_input(*prepared.setup.opening));
   report::WhatWasPlayed out = report::what_was_played(settings, inputs.common, openings);
+  out.inputs = inputs.common;
   for (const std::size_t side : {0u, 1u}) {
     const std::string& own = side == 0 ? job.home_disturbance : job.away_disturbance;
     out.teams.push_back(
         report::played_team(prepared.plans[side]->team().name, job.teams[side], side == 0 ? inputs.home : inputs.away,
                             report::profile_of(inputs.common, side == 0 ? "home disturbance" : "away disturbance",
-                                               own.empty() ? job.disturbance : own)));
+                                               file_of(own.empty() ? job.disturbance : own))));
   }
   out.set = job.overrides;
   out.amount = fmt::format("seed {}", job.seed);

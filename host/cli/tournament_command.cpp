@@ -58,9 +58,11 @@ int tournament(StudyOptions options, output::OutputFiles outputs, const Invocati
   outputs.write_beside(options.results,
                        options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
   outputs.check(false);
-  const auto report = report::tournament_report(std::move(planned.plan), results::play_again(invocation));
+  auto report = report::tournament_report(std::move(planned.plan), results::play_again(invocation));
   campaign::Store store = results::open_results(options.results, options.resume, report->study(),
                                                 {outputs.documents(), planned.documents}, invocation.studies);
+  if (options.resume)
+    report = results::stored_study(options.results, store, results::play_again(invocation), invocation.studies);
   results::StudyWishes wishes;
   wishes.figures = false;
   return results::play_study(*report, options, invocation, store, wishes);

@@ -70,26 +70,31 @@ int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::Out
   outputs.write("the tuned team", tuned, Writes::tuned_team);
   outputs.check(options.force);
   study::OutOfTime clock;  // known once there is a file of results
-  report::TuningReport report(std::move(plan),
-                              [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); });
-  campaign::Store store = results::open_results(options.results, options.resume, report.study(),
+  const auto out_of_time = [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); };
+  auto report = std::make_unique<report::TuningReport>(std::move(plan), out_of_time);
+  campaign::Store store = results::open_results(options.results, options.resume, report->study(),
                                                 {outputs.documents(), {}}, invocation.studies);
+  if (options.resume) {
+    report =
+        std::make_unique<report::TuningReport>(study::tuning_plan_from_json(results::stored_plan(store)), out_of_time);
+  }
   try {
     // What was played elsewhere was not played by the clock.
     const bool plays = options.plays != campaign::Options::Plays::nothing_more;
-    clock = plays ? study::search_clock(store, report.plan()) : study::stored_end_of_search(store);
+    clock = plays ? study::search_clock(store, report->plan()) : study::stored_end_of_search(store);
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
   std::exception_ptr not_written;
-  const int exit = play(report, options, invocation, store, [&] {
-    if (!report.record().tuned()) return;
+  const int exit = play(*report, options, invocation, store, [&] {
+    if (!report->record().tuned()) return;
     try {
       outputs.check(options.force);  // hours later, perhaps
       output::write_whole(
-          tuned, report::tuned_file_text(tuned, report.plan(), report.record(), REGISTA_VERSION, report.fingerprint()),
+          tuned,
+          report::tuned_file_text(tuned, report->plan(), report->record(), REGISTA_VERSION, report->fingerprint()),
           output::Existing::replaced);
-      report.tuned_file(tuned.string());
+      report->tuned_file(tuned.string());
     } catch (...) {
       not_written = std::current_exception();  // what was found is printed all the same
     }

@@ -280,6 +280,7 @@ Node set_in(const Node& document, const Override& override) {
     if (each.key != "set") entries.push_back(each);
   }
   const Node set = document["set"];
+  if (set && set.kind() != Node::Kind::map) return document;  // a mistake, which the reader reports
   for (const Node::Entry& each : set.entries()) {
     if (each.key != override.path) settings.push_back(each);
   }
@@ -319,8 +320,6 @@ Node requested(const StudyRequest& request, DocumentKind kind) {
   });
   return document;
 }
-
-Node requested(const StudyRequest& request) { return requested(request, kind_of(load(request.file))); }
 
 std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins) {
   std::string out;

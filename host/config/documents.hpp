@@ -98,8 +98,6 @@ struct StudyRequest {
   std::vector<std::string> set;
 };
 Node requested(const StudyRequest& request, DocumentKind kind);
-// Of a document whatever it is, by its file alone.
-Node requested(const StudyRequest& request);
 
 // JSON Schema (draft 2020-12) of a kind of document, for editors. With plugins, only those are known, each with its own
 // parameters; without, every plugin and every parameter passes. Files with `extends` need not be complete.

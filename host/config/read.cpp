@@ -39,7 +39,8 @@ struct Reader {
 
   void operator()(const Integer& integer) const {
     const std::int64_t value = to_integer(node, what);
-    if (static_cast<double>(value) < integer.range.least || static_cast<double>(value) > integer.range.most) {
+    if (value < static_cast<std::int64_t>(integer.range.least) ||
+        value > static_cast<std::int64_t>(integer.range.most)) {
       throw Error(node.where(),
                   fmt::format("{}: {} is outside {}", what, value, range_text(integer.range, integer.unit)));
     }
@@ -50,8 +51,9 @@ struct Reader {
   void operator()(const Name& name) const { name.member.get() = to_name(node, what); }
   void operator()(const File& file) const {
     std::error_code none;
-    const bool is_built_in = !file.built_in.empty() && node.text() == file.built_in &&
-                             (!mistakes.looks_for_files() || !std::filesystem::exists(named_file(node, what), none));
+    // A document that is read back names no file where it means the built-in one.
+    const bool is_built_in = !file.built_in.empty() && node.text() == file.built_in && mistakes.looks_for_files() &&
+                             !std::filesystem::exists(named_file(node, what), none);
     file.member.get() = is_built_in ? std::string() : file_of(node);
   }
 

@@ -154,7 +154,7 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
       plan.first_seed());
   for (const study::Condition& each : plan.conditions) {
     const campaign::Job& job = each.jobs[0];
-    for (const auto* inputs : {&job.common_inputs, &job.home_inputs})
+    for (const auto* inputs : {&job.common_inputs, &job.home_inputs, &job.away_inputs})
       out.inputs.insert(out.inputs.end(), inputs->begin(), inputs->end());
   }
   out.program = plan.program;

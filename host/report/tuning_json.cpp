@@ -144,7 +144,7 @@ std::string tuning_json(const TuningView& view) {
   out["verified"] = view.record.verified();
   out["tuned"] = tuned(view);
   out["slices"] = slices(view);
-  out["compared"] = nullptr;  // what a comparison of search algorithms has in its place
+  out["compared"] = nullptr;  // kept for programs that read earlier reports
   out.update(tally_json(plan, view.record.tally));
   out["tuned_file"] = view.tuned_file.empty() ? Json(nullptr) : Json(view.tuned_file);
   return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';

@@ -59,6 +59,8 @@ std::vector<std::string> lines_of(const WhatWasPlayed& played) {
   std::vector<std::string> out{fmt::format("rules {}, robot {}", in_words(played.rules), in_words(played.robot))};
   if (!played.set.empty()) out.push_back("set " + text::visible(fmt::format("{}", fmt::join(played.set, ", "))));
   out.push_back(fmt::format("{}; {}", played.games, played.amount));
+  if (!played.plugins.empty())
+    out.push_back(text::visible(fmt::format("plugins of {} first", fmt::join(played.plugins, ", "))));
   out.push_back(program_of(played) + (played.limits.empty() ? "" : "; " + played.limits));
   return out;
 }
@@ -142,7 +144,8 @@ std::string played_text(const WhatWasPlayed& played) {
                        remarks_on(each));
   }
   if (played.teams.size() > most)
-    out += fmt::format("  and {} more teams: --json, or the page\n", played.teams.size() - most);
+    out +=
+        fmt::format("  and {} more: --json, or the page\n", text::counted(played.teams.size() - most, "team", "teams"));
   for (const std::string& each : lines_of(played)) out += fmt::format("  {}\n", each);
   return out;
 }
@@ -190,7 +193,8 @@ Html played_section(const WhatWasPlayed& played) {
 
 Html again_section(const WhatWasPlayed& played, const PlayedResults& results) {
   std::vector<std::string> run{"run", "study.yaml"};
-  for (const std::string& each : played.plugins) run.insert(run.end(), {"--plugins", each});
+  for (const std::string& each : played.plugins)
+    run.insert(run.end(), {"--plugins", (std::filesystem::path(played.folder) / each).lexically_normal().string()});
   const std::string commands =
       process::command_line(std::vector<std::string>{"report", results.file, "--study", "again"}) + "\ncd again\n" +
       process::command_line(run);

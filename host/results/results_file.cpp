@@ -49,6 +49,17 @@ campaign::Journal journal_of(const std::string& file) {
   return std::filesystem::exists(folder / "cluster.json", none) ? campaign::Journal::rollback : campaign::Journal::log;
 }
 
+// Values that decide nothing may be asked for otherwise, but a study is one.
+void remark_on_other_values(const std::string& file, const std::string& stored, const std::string& asked) {
+  const auto document = [](const std::string& plan) {
+    const auto json = nlohmann::json::parse(plan, nullptr, false);
+    return json.is_object() ? json.value("document", std::string()) : std::string();
+  };
+  if (document(stored) == document(asked) || document(stored).empty()) return;
+  command::complain(fmt::format(
+      "{} goes on as it was begun: what is asked for otherwise now, though it decides no match, is left out", file));
+}
+
 void remark_on(const campaign::Store& store) {
   if (const std::string remark = store.remark(); !remark.empty()) command::complain(remark);
 }
@@ -116,7 +127,10 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
       return store;
     }
     const std::vector<std::string> changed = differences(file, stored, study, kinds);
-    if (changed.empty()) return store;
+    if (changed.empty()) {
+      remark_on_other_values(file, stored, study.plan());
+      return store;
+    }
     throw command::BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
                     "--results names a new file{}",

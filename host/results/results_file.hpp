@@ -25,7 +25,7 @@ struct BegunWith {
   std::vector<std::string> teams;            // documents of the teams, resolved, for readers
 };
 
-// Opens the file of results for this study.
+// Opens the file of results for this study. One that is resumed goes on as it was begun: stored_study() has it.
 // Throws BadInput: it exists and is not to be continued, or the other way round, holds something else, or cannot be
 // used.
 campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,

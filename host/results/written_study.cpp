@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 #include "command/end_of_program.hpp"
@@ -12,6 +13,7 @@
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "output/new_folder.hpp"
+#include "process/program.hpp"
 #include "text/message.hpp"
 
 namespace regista::results {
@@ -56,6 +58,19 @@ class Laying {
       files.emplace_back(each.path);
     }
     root_ = folder_of(files);
+    if (root_.has_relative_path() && contents_.contains((root_ / study_file).string())) root_ = root_.parent_path();
+    for (const auto& [path, content] : contents_) {
+      for (const auto& [other, unused] : contents_) {
+        if (content->find(other) == std::string::npos) continue;
+        left_out.push_back(fmt::format("{} names {} from the root of the file system, and goes on to read it there",
+                                       text::one_line(path), text::one_line(other)));
+      }
+    }
+    for (const std::string& each : played.plugins) {
+      const std::string folder = absolute(each).string();
+      left_out.push_back(fmt::format("plugins do not come along: `regista run study.yaml` needs {}",
+                                     process::command_line(std::vector<std::string>{"--plugins", folder})));
+    }
   }
 
   std::vector<output::NewFile> files() {
@@ -85,6 +100,12 @@ class Laying {
     Study study = read(document, first);
     config::rename_files(declare(study), [this](const std::string& name) { return renamed(name); });
     study.settings.set = with_names(study.settings.set);
+    if constexpr (std::is_same_v<Study, config::Experiment>) {
+      for (config::Experiment::Arm& each : study.arms) each.set = with_names(each.set);
+      if (study.sweep) {
+        for (config::Node& each : study.sweep->values) each = with_names(each);
+      }
+    }
     study.settings.played_with.clear();
     for (const std::string& each : report::played_with(played_))
       study.settings.played_with.push_back(config::Node::scalar(each, true, {}));
@@ -139,7 +160,7 @@ class Laying {
 std::vector<std::string> write_study(const report::WhatWasPlayed& played,
                                      const std::vector<campaign::Document>& documents, const fs::path& folder) {
   Laying laying(played, documents);
-  output::write_new_folder(folder, laying.files());
+  output::write_new_folder(folder.has_filename() ? folder : folder.parent_path(), laying.files());
   return laying.left_out;
 }
 

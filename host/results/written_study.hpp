@@ -12,7 +12,7 @@
 
 namespace regista::results {
 
-// documents: that the study was begun with. folder: is made, and must be empty. Returns what could not be taken along,
+// documents: that the study was begun with. folder: is made, and must not be there. Returns what does not come along,
 // a line each. Throws BadInput and output::WriteError.
 std::vector<std::string> write_study(const report::WhatWasPlayed& played,
                                      const std::vector<campaign::Document>& documents,

@@ -192,7 +192,8 @@ Json experiment_of_version_1(const Json& plan) {
 }
 
 Json tuning_of_version_1(const Json& plan) {
-  if (plan.contains("compared") && plan.at("compared") != Json::array()) throw std::out_of_range("a comparison");
+  if (plan.contains("compared") && plan.at("compared") != Json::array())
+    throw std::invalid_argument("it compares search algorithms, which this version does not read");
   config::Tuning asked;
   asked.name = plan.at("name").get<std::string>();
   asked.question = plan.at("question").get<std::string>();

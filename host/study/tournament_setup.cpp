@@ -49,6 +49,10 @@ void require_settable(const config::Node::Entry& setting, const TournamentPlan& 
         "in a tournament each team plays on both sides; a path that begins with disturbance is for both teams, and "
         "`teams` names a disturbance of one");
   }
+  if (first == "opponent" || first == "opponent_disturbance")
+    refuse("a tournament has no opponent; begin the path with a for the first team, b for the second, and so on");
+  if (letter && first == setting.key)
+    refuse(fmt::format("expected a path inside it, as in {}.teammates_forgotten_after", first));
   const std::size_t teams = plan.asked.teams.size();
   if (letter && static_cast<std::size_t>(first[0] - 'a') >= teams)
     refuse(fmt::format("there are {} teams, a to {}", teams, study::letter(std::min<std::size_t>(teams, 26) - 1)));

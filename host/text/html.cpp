@@ -11,7 +11,6 @@
 
 namespace regista::text {
 
-
 namespace {
 
 struct Entity {
