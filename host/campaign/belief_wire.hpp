@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What a mind believes as bytes: see config/bytes.hpp.
+// What a mind believes as bytes: see texts/bytes.hpp.
 #pragma once
 
 #include "match/belief.hpp"
-#include "text/bytes.hpp"
+#include "texts/bytes.hpp"
 
 namespace regista::match {
 

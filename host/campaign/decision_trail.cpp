@@ -19,7 +19,7 @@
 
 #include "match/digest.hpp"
 #include "match/outcome.hpp"
-#include "text/bytes.hpp"
+#include "texts/bytes.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -72,7 +72,7 @@ class TrailReader {
   }
 
  private:
-  text::BytesIn bytes_;
+  texts::BytesIn bytes_;
   std::vector<Name> names_;
 };
 
@@ -108,7 +108,7 @@ void TrailWriter::add(const match::Decision& decision, std::span<const plugin::C
     outcome.add(each.sum);
     outcome.add(each.last);
   }
-  text::BytesOut bytes;
+  texts::BytesOut bytes;
   Entry entry{decision.time, static_cast<std::int32_t>(match::index(decision.side)), decision.number, outcome.value(),
               static_cast<std::uint32_t>(answers.size())};
   bytes(entry);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "config/file.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -37,7 +37,7 @@ void require_sound(const std::vector<Document>& documents) {
          folder = folder.parent_path()) {
       sound = !paths.contains(folder.string());
     }
-    if (!sound) throw std::invalid_argument("no document has the path " + text::in_quotes(each.path));
+    if (!sound) throw std::invalid_argument("no document has the path " + texts::in_quotes(each.path));
   }
 }
 

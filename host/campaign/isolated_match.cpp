@@ -149,7 +149,7 @@ class IsolatedMatch {
     question_(percepts);
     mind::write_heard(question_, heard);
     Thinkers& asked = thinkers(side, number);
-    text::BytesIn answer = ask(asked, Question::decide, number, question_.bytes());
+    texts::BytesIn answer = ask(asked, Question::decide, number, question_.bytes());
     try {
       answer(out);
       if (examination_.answers) answer(answers_);
@@ -168,7 +168,7 @@ class IsolatedMatch {
   }
 
   template <class T>
-  void read(const Thinkers& asked, text::BytesIn answer, T& out) {
+  void read(const Thinkers& asked, texts::BytesIn answer, T& out) {
     try {
       answer(out);
     } catch (const std::out_of_range&) {
@@ -182,15 +182,15 @@ class IsolatedMatch {
 
   static int number_of(const Thinkers& one) { return static_cast<int>(match::index(one.place.side)); }
 
-  text::BytesIn ask(Thinkers& asked, Question question, int robot, std::span<const std::uint8_t> bytes) {
+  texts::BytesIn ask(Thinkers& asked, Question question, int robot, std::span<const std::uint8_t> bytes) {
     if (bytes.size() > MindChannel::most_bytes) throw std::length_error("percepts too long for a channel");
     asked.channel.ask(question, robot, bytes);
     return hear(asked);
   }
 
-  text::BytesIn hear(Thinkers& asked) {
+  texts::BytesIn hear(Thinkers& asked) {
     if (!asked.channel.replied()) wait_for(asked);
-    if (asked.channel.reply() == Reply::done) return text::BytesIn(asked.channel.bytes());
+    if (asked.channel.reply() == Reply::done) return texts::BytesIn(asked.channel.bytes());
     if (asked.channel.reply() == Reply::no_memory) {
       // Below half of what it may have, it is the machine that has no more.
       const bool of_the_machine =
@@ -301,7 +301,7 @@ class IsolatedMatch {
   std::vector<Thinkers> thinkers_;
   std::array<std::vector<std::size_t>, 2> of_robot_;  // by side, then number
   struct sigaction before_ {};
-  text::BytesOut question_;
+  texts::BytesOut question_;
   plugin::CallTrail answers_;
   std::string kept_;
 };

@@ -8,7 +8,7 @@
 
 #include "campaign/metric_json.hpp"
 #include "campaign/whole_number.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::campaign {
 namespace {

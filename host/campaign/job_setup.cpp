@@ -7,7 +7,7 @@
 
 #include "campaign/inputs.hpp"
 #include "process/program.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::campaign {
 
@@ -74,7 +74,7 @@ std::string what_changed(const Job& job, const FoundInputs& now) {
       if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
     }
   }
-  return text::join(changed);
+  return texts::join(changed);
 }
 
 }  // namespace regista::campaign

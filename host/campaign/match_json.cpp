@@ -3,7 +3,7 @@
 
 #include "campaign/metric_json.hpp"
 #include "match/names.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::campaign {
 

@@ -18,7 +18,7 @@
 #include "config/read.hpp"
 #include "config/team_size.hpp"
 #include "config/typed.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -31,7 +31,7 @@ double parse_limit(const std::string& text) {
   const auto [rest, error] = std::from_chars(text.data(), end, seconds);
   if (error != std::errc() || rest != end || !(seconds > 0.0) || seconds > longest_limit) {
     throw config::BadInput(
-        fmt::format("--limit: {}; expected seconds above 0, up to {:.0f}", text::in_quotes(text), longest_limit));
+        fmt::format("--limit: {}; expected seconds above 0, up to {:.0f}", texts::in_quotes(text), longest_limit));
   }
   return seconds;
 }
@@ -101,7 +101,7 @@ std::uint64_t parse_seed(const std::string& text, const std::string& option) {
   const auto [rest, error] = std::from_chars(text.data(), end, seed);
   if (error != std::errc() || rest != end) {
     throw config::BadInput(
-        fmt::format("{}: {}; expected a whole number from 0 to {}", option, text::in_quotes(text), UINT64_MAX));
+        fmt::format("{}: {}; expected a whole number from 0 to {}", option, texts::in_quotes(text), UINT64_MAX));
   }
   return seed;
 }

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "match/side.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::campaign {
 namespace {

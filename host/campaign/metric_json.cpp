@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::campaign {
 namespace {

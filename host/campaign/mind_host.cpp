@@ -84,7 +84,7 @@ class MindHost {
   mind::Mind& mind() { return minds_.at(static_cast<std::size_t>(channel_.robot() - first_)); }
 
   void decide() {
-    text::BytesIn in(channel_.bytes());
+    texts::BytesIn in(channel_.bytes());
     in(percepts_);
     mind::read_heard(in, heard_);
     outcome_.clear();
@@ -123,7 +123,7 @@ class MindHost {
   std::vector<mind::HeardPacket> heard_;
   mind::Outcome outcome_;
   match::Belief belief_;
-  text::BytesOut out_;
+  texts::BytesOut out_;
 };
 
 // Handlers of signals take no arguments of ours.

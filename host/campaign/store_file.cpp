@@ -20,7 +20,7 @@
 
 #include "campaign/row_checksum.hpp"
 #include "process/descriptor.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -69,7 +69,7 @@ std::int64_t checksum_of_meta(const std::string& name, const std::string& value)
 std::string meaning_of_meta(const std::string& name) {
   if (name == "schedule") return "the plan of its study";
   if (name == "documents") return "the teams' documents";
-  return fmt::format("the text {} of the table meta", text::in_quotes(name));
+  return fmt::format("the text {} of the table meta", texts::in_quotes(name));
 }
 
 }  // namespace
@@ -340,7 +340,7 @@ void StoreFile::require_whole() {
     if (error.getErrorCode() != SQLITE_CORRUPT && error.getErrorCode() != SQLITE_NOTADB) throw;
     said = reason(error);
   }
-  if (said != "ok") throw StoreGone(fmt::format("results in {}: {}{}", name_, overwritten, text::one_line(said)));
+  if (said != "ok") throw StoreGone(fmt::format("results in {}: {}{}", name_, overwritten, texts::one_line(said)));
 }
 
 }  // namespace regista::campaign

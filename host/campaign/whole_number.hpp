@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::campaign {
 

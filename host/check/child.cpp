@@ -26,9 +26,9 @@
 #include "process/descendants.hpp"
 #include "process/descriptor.hpp"
 #include "process/watch.hpp"
-#include "text/bytes.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/bytes.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::check {
 namespace {
@@ -83,7 +83,7 @@ class DescriptorTrap {
     outcome.status = Status::fail;
     outcome.lines.emplace_back("wrote into files that are not its own");
   }
-  text::BytesOut bytes;
+  texts::BytesOut bytes;
   bytes(outcome.status, outcome.lines);
   if (!process::write_all(answer, mark) || !process::write_all(answer, bytes.bytes())) ::_exit(1);
   if (ending == Ending::as_programs_do) std::exit(0);
@@ -110,18 +110,18 @@ struct Text {
 
 std::string last_line(std::string_view all) {
   while (all.ends_with('\n')) all.remove_suffix(1);
-  return text::visible_at_most(all.substr(all.rfind('\n') + 1), 200);
+  return texts::visible_at_most(all.substr(all.rfind('\n') + 1), 200);
 }
 
 std::optional<Outcome> outcome_of(std::string_view answer) {
   if (!answer.starts_with(mark)) return std::nullopt;
   answer.remove_prefix(mark.size());
   try {
-    text::BytesIn bytes({reinterpret_cast<const std::uint8_t*>(answer.data()), answer.size()});
+    texts::BytesIn bytes({reinterpret_cast<const std::uint8_t*>(answer.data()), answer.size()});
     Outcome out;
     bytes(out.status, out.lines);
     if (!bytes.empty() || out.status > Status::skip) return std::nullopt;
-    for (std::string& each : out.lines) each = text::visible(each);
+    for (std::string& each : out.lines) each = texts::visible(each);
     return out;
   } catch (const std::out_of_range&) {
     return std::nullopt;
@@ -157,7 +157,8 @@ void Underway::write(std::string_view text) {
 
 std::string Underway::read() const {
   // A plugin may have written here, too.
-  return text::visible_at_most(std::string_view(text_->data(), ::strnlen(text_->data(), text_->size())), text_->size());
+  return texts::visible_at_most(std::string_view(text_->data(), ::strnlen(text_->data(), text_->size())),
+                                text_->size());
 }
 
 Outcome without_exceptions(const std::function<Outcome()>& check) {

@@ -17,7 +17,7 @@
 #include <regista/abi.h>
 
 #include "plugin/floating_point_state.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::check {
 namespace {
@@ -130,7 +130,7 @@ Outcome exports_of(const ObjectFile& object) {
   if (others.empty()) return {};
   const std::size_t shown = std::min<std::size_t>(others.size(), 5);
   std::string line =
-      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", text::counted(others.size(), "symbol", "symbols"),
+      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", texts::counted(others.size(), "symbol", "symbols"),
                   fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
   if (shown < others.size()) line += ", ...";
   return {Status::fail,

@@ -16,7 +16,7 @@
 #include "config/bad_input.hpp"
 #include "config/file.hpp"
 #include "plugin/descriptor.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::check {
 namespace {
@@ -31,7 +31,7 @@ std::optional<double> number_in(std::string_view text) {
 std::variant<double, std::string> value_of(const regista_parameter& declared, const std::string& text) {
   const auto wrong = [&](std::string expected) {
     return config::BadInput(
-        fmt::format("--set {}={}: expected {}", declared.name, text::in_quotes(text), std::move(expected)));
+        fmt::format("--set {}={}: expected {}", declared.name, texts::in_quotes(text), std::move(expected)));
   };
   switch (declared.type) {
     case REGISTA_TYPE_BOOLEAN:
@@ -53,7 +53,7 @@ std::variant<double, std::string> value_of(const regista_parameter& declared, co
       for (std::uint32_t i = 0; i < declared.choice_count; ++i) choices.emplace_back(declared.choices[i]);
       const auto found = std::ranges::find(choices, text);
       if (found == choices.end()) {
-        throw config::BadInput(text::unknown("value", text, fmt::format("--set {}", declared.name), choices));
+        throw config::BadInput(texts::unknown("value", text, fmt::format("--set {}", declared.name), choices));
       }
       return static_cast<double>(found - choices.begin());
     }

@@ -29,8 +29,8 @@
 #include "plugin/descriptor.hpp"
 #include "plugin/own_memory.hpp"
 #include "plugin/survey.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::check {
 namespace {
@@ -57,7 +57,7 @@ bool is_wanted(const std::vector<std::string>& only, std::string_view check) {
 Outcome outcome_of(const testkit::Findings& findings) {
   Outcome out;
   const auto add = [&out](const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) out.lines.push_back(text::one_line(line));
+    for (const std::string& line : lines) out.lines.push_back(texts::one_line(line));
   };
   if (!findings.empty()) {
     out.status = Status::fail;
@@ -92,7 +92,7 @@ class FileCheck {
   // note: of whatever is checked.
   FileCheck(const fs::path& file, const Options& options, const Listener& listener, Underway& note)
       : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
-    report_.file = text::visible(file.string());
+    report_.file = texts::visible(file.string());
     testkit_options_.may_idle = options_.may_idle;
     testkit_options_.doubts_idleness = true;
     testkit_options_.seed = options_.seed;
@@ -378,7 +378,7 @@ class FileCheck {
     Outcome outcome = check();
     const std::chrono::duration<double> seconds = Clock::now() - began;
     // A name of a file or what the loader says of it may be no text at all.
-    for (std::string& line : outcome.lines) line = text::visible(line);
+    for (std::string& line : outcome.lines) line = texts::visible(line);
     report_.verdicts.push_back({plugin_, name, promise, outcome.status, std::move(outcome.lines), seconds.count()});
     if (listener_.verdict) listener_.verdict(report_.file, report_.verdicts.back());
   }
@@ -434,7 +434,7 @@ class Asked {
                      const std::vector<std::string>& known) {
     for (const std::string& each : asked) {
       if (std::ranges::find(known, each) == known.end())
-        throw config::BadInput(text::unknown(what, each, where, known));
+        throw config::BadInput(texts::unknown(what, each, where, known));
     }
   }
 
@@ -465,7 +465,7 @@ std::vector<Report> check_files(const std::vector<fs::path>& files, const Option
   const std::vector<std::string> known = known_checks();
   for (const std::string& each : options.only) {
     if (std::ranges::find(known, each) == known.end())
-      throw config::BadInput(text::unknown("check", each, "--only", known));
+      throw config::BadInput(texts::unknown("check", each, "--only", known));
   }
   for (const fs::path& file : files) {
     std::error_code none;

@@ -10,8 +10,8 @@
 #include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
 #include "output/output.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -81,9 +81,9 @@ int tell_status(const FolderOptions& options) {
     output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
     return exit_done;
   }
-  std::string text = fmt::format("{}: {}\n", text::one_line(progress.title), name_of(progress.state));
+  std::string text = fmt::format("{}: {}\n", texts::one_line(progress.title), name_of(progress.state));
   const auto line = [&text](const std::string& said) {
-    if (!said.empty()) text += fmt::format("  {}\n", text::one_line(said));
+    if (!said.empty()) text += fmt::format("  {}\n", texts::one_line(said));
   };
   line(progress.message);
   line(cluster::in_words(status));

@@ -26,7 +26,7 @@
 #include "output/output.hpp"
 #include "results/results_file.hpp"
 #include "study/recording_place.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "cli/commands.hpp"
 #include "command/completion.hpp"
 #include "output/output.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -31,7 +31,7 @@ int write(const std::string& shell, const command::CommandDeclaration& program) 
   } else if (shell == "zsh") {
     output::print(command::zsh_completion(program));
   } else {
-    throw BadInput("completion: " + text::unknown("shell", shell, "", std::vector<std::string>{"bash", "zsh"}));
+    throw BadInput("completion: " + texts::unknown("shell", shell, "", std::vector<std::string>{"bash", "zsh"}));
   }
   return exit_done;
 }

@@ -9,7 +9,7 @@
 #include "cli/plugin_folders.hpp"
 #include "output/output.hpp"
 #include "study/document_check.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::cli {
 namespace {

@@ -19,7 +19,7 @@
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "recording/roles_svg.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -52,7 +52,7 @@ const config::RoleList& list_of(const config::TeamPage& page, const std::string&
   if (found != page.role_lists.end()) return *found;
   std::vector<std::string> names;
   for (const config::RoleList& each : page.role_lists) names.push_back(each.name);
-  throw BadInput("--list: " + text::unknown("list of roles", name, "", names));
+  throw BadInput("--list: " + texts::unknown("list of roles", name, "", names));
 }
 
 // The roles of a context, where it has them played.
@@ -62,7 +62,7 @@ config::RoleList list_in(const config::Node& document, const std::string& name) 
   if (context == team.contexts.end()) {
     std::vector<std::string> names;
     for (const config::Context& each : team.contexts) names.push_back(each.name);
-    throw BadInput("--context: " + text::unknown("context", name, "", names));
+    throw BadInput("--context: " + texts::unknown("context", name, "", names));
   }
   config::RoleList list = team.role_lists[static_cast<std::size_t>(context->role_list)];
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
@@ -78,13 +78,13 @@ bool has(const config::RoleList& list, const std::string& role) {
 [[noreturn]] void refuse_role(const config::TeamPage& page, const config::RoleList& list, const std::string& role) {
   for (const config::RoleList& other : page.role_lists) {
     if (has(other, role)) {
-      throw BadInput(fmt::format("--role: {0} is in the list {1}, not in {2}; add --list {1}", text::one_line(role),
+      throw BadInput(fmt::format("--role: {0} is in the list {1}, not in {2}; add --list {1}", texts::one_line(role),
                                  other.name, list.name));
     }
   }
   std::vector<std::string> names;
   for (const config::Role& each : list.roles) names.push_back(each.name);
-  throw BadInput("--role: " + text::unknown("role", role, list.name, names));
+  throw BadInput("--role: " + texts::unknown("role", role, list.name, names));
 }
 
 std::vector<const config::Role*> roles_of(const config::TeamPage& page, const config::RoleList& list,

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "config/bad_input.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 
@@ -18,7 +18,7 @@ config::DocumentKind kind_named(const std::string& name, std::string_view comman
   for (const config::DocumentKind kind : config::document_kinds()) {
     if (config::name_of(kind) == name) return kind;
   }
-  throw config::BadInput(fmt::format("{}: {}", command, text::unknown("kind of document", name, "", kind_names())));
+  throw config::BadInput(fmt::format("{}: {}", command, texts::unknown("kind of document", name, "", kind_names())));
 }
 
 }  // namespace regista::cli

@@ -25,7 +25,7 @@
 #include "plugin/plugin_file.hpp"
 #include "report/what_was_played.hpp"
 #include "results/stored_match.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -195,7 +195,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
   if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
-    throw BadInput(text::unknown("value", options.log, "--log", log_levels));
+    throw BadInput(texts::unknown("value", options.log, "--log", log_levels));
   }
   options.overrides = config::typed_overrides(options.set);
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
@@ -237,8 +237,8 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
   const Files files = files_of(prepared);
   const report::WhatWasPlayed what = what_is_played(job, prepared, catalogue);
   if (failed && !options.quiet) {
-    complain(text::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
-                                        end_in_words(stored->decided))));
+    complain(texts::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
+                                         end_in_words(stored->decided))));
   }
   const auto work = [&](campaign::WorkerNote& note) {
     // A match that failed has no hash to be compared with.

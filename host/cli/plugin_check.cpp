@@ -12,8 +12,8 @@
 #include "config/bad_input.hpp"
 #include "config/typed.hpp"
 #include "output/output.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -57,7 +57,7 @@ check::Options options_of(const PluginCheckOptions& options, const Invocation& i
   for (const std::string& each : options.parameters) {
     const std::size_t sign = each.find('=');
     if (sign == std::string::npos || sign == 0) {
-      throw BadInput(fmt::format("--set {}: expected NAME=VALUE", text::in_quotes(each)));
+      throw BadInput(fmt::format("--set {}: expected NAME=VALUE", texts::in_quotes(each)));
     }
     out.parameters.emplace_back(each.substr(0, sign), each.substr(sign + 1));
   }
@@ -71,7 +71,7 @@ std::string text_of(const check::Verdict& verdict) {
 }
 
 std::string summary_of(const check::Report& report) {
-  std::string out = fmt::format("{}: {}", report.file, text::counted(report.verdicts.size(), "check", "checks"));
+  std::string out = fmt::format("{}: {}", report.file, texts::counted(report.verdicts.size(), "check", "checks"));
   for (const check::Status status :
        {check::Status::pass, check::Status::warn, check::Status::fail, check::Status::crash, check::Status::skip}) {
     const auto count = std::ranges::count(report.verdicts, status, &check::Verdict::status);

@@ -9,7 +9,7 @@
 #include "output/output.hpp"
 #include "plugin/info.hpp"
 #include "report/plugin_json.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -35,7 +35,7 @@ std::vector<const plugin::Found*> find(const plugin::Catalogue& catalogue, const
   std::vector<std::string> folders;
   for (const std::filesystem::path& folder : catalogue.folders()) folders.push_back(folder.string());
   throw BadInput(
-      fmt::format("plugin info: {}; searched: {}", text::unknown("plugin", id, "", known), text::join(folders)));
+      fmt::format("plugin info: {}; searched: {}", texts::unknown("plugin", id, "", known), texts::join(folders)));
 }
 
 int show(const PluginInfoOptions& options, const Invocation& invocation) {

@@ -7,7 +7,7 @@
 #include <array>
 
 #include "plugin/descriptor.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -30,7 +30,7 @@ std::string wrong_with_new_name(std::string_view name) {
   if (name.empty()) return "the plugin needs a name, such as my_plugin";
   if (const std::string wrong = plugin::wrong_with_name(name); !wrong.empty()) {
     return fmt::format("the name {} {}; a name begins with a letter and has lower-case letters, digits and underscores",
-                       text::in_quotes(name), wrong);
+                       texts::in_quotes(name), wrong);
   }
   if (is_one_of(cmake_targets)) return fmt::format("CMake has a target {} of its own; choose another name", name);
   if (is_one_of(libraries)) return fmt::format("{} is the name of a system library; choose another name", name);

@@ -21,7 +21,7 @@
 #include "output/new_folder.hpp"
 #include "output/output.hpp"
 #include "plugin/descriptor.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -47,7 +47,7 @@ struct PluginNewOptions {
 
 void refuse_unknown(std::string_view what, const std::string& asked, const std::vector<std::string>& known) {
   if (std::ranges::find(known, asked) != known.end()) return;
-  throw BadInput("plugin new: " + text::unknown(what, asked, "", known));
+  throw BadInput("plugin new: " + texts::unknown(what, asked, "", known));
 }
 
 // Both would install the same file, and a team could not say which one it means.
@@ -98,7 +98,7 @@ Sdk sdk_of(const Invocation& invocation) {
 }
 
 int make(const PluginNewOptions& options, const Invocation& invocation) {
-  if (options.kind.empty()) throw BadInput("plugin new: which kind? There are: " + text::join(kinds));
+  if (options.kind.empty()) throw BadInput("plugin new: which kind? There are: " + texts::join(kinds));
   refuse_unknown("kind", options.kind, kinds);
   refuse_unknown("language", options.language, languages);
   if (const std::string wrong = wrong_with_new_name(options.name); !wrong.empty())
@@ -148,7 +148,7 @@ int make(const PluginNewOptions& options, const Invocation& invocation) {
 void add_plugin_new(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("new", "make the folder of a new plugin, which builds at once");
   const auto options = std::make_shared<PluginNewOptions>();
-  command.choose("kind", options->kind, kinds, text::join(kinds));
+  command.choose("kind", options->kind, kinds, texts::join(kinds));
   command.take("name", options->name, "NAME", "of the plugin: lower-case letters, digits and underscores");
   command.choose("--lang", options->language, languages, "language of the source; default: c++");
   command.take("-o,--output", options->folder, "FOLDER", "make it in this folder; default: here", Writes::sources);

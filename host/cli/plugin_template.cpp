@@ -9,7 +9,7 @@
 
 #include "config/bad_input.hpp"
 #include "config/file.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -56,7 +56,7 @@ std::string filled_in(std::string_view text, const PlaceholderValues& values) {
     if (found == values.end()) {
       std::vector<std::string> known;
       for (const auto& [each, value] : values) known.push_back(each);
-      throw BadInput("template: " + text::unknown("placeholder", name, "", known));
+      throw BadInput("template: " + texts::unknown("placeholder", name, "", known));
     }
     out += found->second;
     text.remove_prefix(name.size() + 2);

@@ -9,7 +9,7 @@
 #include "cli/common_names.hpp"
 #include "match/names.hpp"
 #include "output/output.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 
@@ -33,10 +33,10 @@ int play_failed(const MatchOptions& options, const results::StoredMatch& stored,
   }
   const bool same_side = now.failure && stored.decided.failure && now.failure->side == stored.decided.failure->side;
   if (same_side || (now.set_aside() && stored.decided.set_aside())) {
-    output::print(text::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
+    output::print(texts::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
     return exit_done;
   }
-  complain(text::one_line(
+  complain(texts::one_line(
       fmt::format("row {} {}; this time it {}", options.row, end_in_words(stored.decided), end_in_words(now))));
   return exit_no;
 }

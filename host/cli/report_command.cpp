@@ -18,8 +18,8 @@
 #include "results/results_page.hpp"
 #include "results/study_run.hpp"
 #include "results/written_study.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::cli {
 namespace {
@@ -125,7 +125,7 @@ int tell_standard_error(const std::string& file, const campaign::Store& store, s
     if (row->decided.output.empty()) {
       throw BadInput(fmt::format("{}: in match {} no plugin wrote to standard error", file, match));
     }
-    const std::string text = text::visible_lines(row->decided.output);
+    const std::string text = texts::visible_lines(row->decided.output);
     output::print(text.ends_with('\n') ? text : text + '\n');
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());

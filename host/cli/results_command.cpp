@@ -17,8 +17,8 @@
 #include "output/output.hpp"
 #include "results/results_file.hpp"
 #include "study/study.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -91,7 +91,7 @@ std::vector<fs::path> databases(const std::string& folder) {
       if (each.path().extension() == ".db" && each.is_regular_file()) out.push_back(each.path().lexically_normal());
     }
   } catch (const fs::filesystem_error& error) {
-    throw BadInput(fmt::format("results: {}: {}", text::one_line(folder), error.code().message()));
+    throw BadInput(fmt::format("results: {}: {}", texts::one_line(folder), error.code().message()));
   }
   std::ranges::sort(out);
   return out;
@@ -99,10 +99,10 @@ std::vector<fs::path> databases(const std::string& folder) {
 
 std::string text_of(const Found& found) {
   const auto line = [](const std::string& text) {
-    return text.empty() ? std::string() : fmt::format("  {}\n", text::one_line(text));
+    return text.empty() ? std::string() : fmt::format("  {}\n", texts::one_line(text));
   };
-  if (!found.unreadable.empty()) return fmt::format("{}\n", text::one_line(found.unreadable));
-  return fmt::format("{}: {}, {}, last written {}\n", text::one_line(found.file), found.study, found.state,
+  if (!found.unreadable.empty()) return fmt::format("{}\n", texts::one_line(found.unreadable));
+  return fmt::format("{}: {}, {}, last written {}\n", texts::one_line(found.file), found.study, found.state,
                      found.written) +
          line(found.title) + line(found.teams.size() > 2 ? fmt::format("{}", fmt::join(found.teams, ", ")) : "") +
          line(found.question) + line(found.headline);
@@ -129,7 +129,7 @@ int list(const ResultsOptions& options, const Invocation& invocation) {
   if (options.json) {
     output::print(Json{{"results", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   } else if (text.empty()) {
-    complain(fmt::format("no results in {}", options.folder.empty() ? "this folder" : text::one_line(options.folder)));
+    complain(fmt::format("no results in {}", options.folder.empty() ? "this folder" : texts::one_line(options.folder)));
   } else {
     output::print(text);
   }

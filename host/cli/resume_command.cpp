@@ -24,7 +24,7 @@
 #include "results/results_file.hpp"
 #include "results/study_run.hpp"
 #include "study/tournament_plan.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -77,7 +77,7 @@ int go_on_with_folder(const ResumeOptions& options, const Invocation& invocation
        {std::pair{"--workers", &options.workers}, {"--record-every", &options.record_every}}) {
     if (!value->empty())
       throw BadInput(fmt::format("{}: is of a file of results; {} is the folder of a study on a cluster", name,
-                                 text::one_line(options.file)));
+                                 texts::one_line(options.file)));
   }
   if (!options.pairs.empty()) {
     const std::uint64_t pairs = config::parse_whole("--pairs", options.pairs, 1, study::most_pairs);
@@ -92,7 +92,7 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
   if (std::filesystem::is_directory(options.file)) return go_on_with_folder(options, invocation);
   std::optional<std::uint64_t> pairs;
   if (!options.pairs.empty()) pairs = config::parse_whole("--pairs", options.pairs, 1, study::most_pairs);
-  const std::string file = text::one_line(options.file);
+  const std::string file = texts::one_line(options.file);
   options.results = std::filesystem::absolute(options.file).string();
   options.resume = true;
   std::vector<campaign::Job> jobs;

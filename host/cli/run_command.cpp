@@ -11,7 +11,7 @@
 #include "cli/study_commands.hpp"
 #include "cluster/run.hpp"
 #include "config/documents.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -53,11 +53,11 @@ int play_here(const RunOptions& options, const output::OutputFiles& outputs, con
     case predictor_study:
       throw BadInput(fmt::format(
           "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
-          text::one_line(options.file)));
+          texts::one_line(options.file)));
     default:
       throw BadInput(
           fmt::format("run: {} is no study but of the kind {}; studies are tournament, experiment and tuning",
-                      text::one_line(options.file), config::name_of(kind)));
+                      texts::one_line(options.file), config::name_of(kind)));
   }
 }
 

@@ -14,7 +14,7 @@
 #include "output/output.hpp"
 #include "report/counts.hpp"
 #include "statistics/sequential_test.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -48,7 +48,7 @@ std::vector<statistics::Count> parse_counts(const std::vector<std::string>& word
     statistics::Count count = 0;
     const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), count);
     if (error != std::errc() || rest != word.data() + word.size() || count < 0 || count > statistics::most_counted) {
-      throw BadInput(fmt::format("sprt: count {}; expected a whole number from 0 to {}", text::in_quotes(word),
+      throw BadInput(fmt::format("sprt: count {}; expected a whole number from 0 to {}", texts::in_quotes(word),
                                  statistics::most_counted));
     }
     counts.push_back(count);
@@ -67,7 +67,7 @@ constexpr double most_elo = 4000.0;
 statistics::Model parse_model(const std::string& text) {
   if (text == "normalized") return statistics::Model::normalized;
   if (text == "logistic") return statistics::Model::logistic;
-  throw BadInput(text::unknown("model", text, "--model", std::vector<std::string>{"normalized", "logistic"}));
+  throw BadInput(texts::unknown("model", text, "--model", std::vector<std::string>{"normalized", "logistic"}));
 }
 
 statistics::Hypotheses parse_hypotheses(const std::string& option, const std::string& text) {
@@ -76,11 +76,11 @@ statistics::Hypotheses parse_hypotheses(const std::string& option, const std::st
   const auto elo1 =
       comma == std::string::npos ? std::nullopt : config::typed_number(std::string_view(text).substr(comma + 1));
   if (!elo0 || !elo1 || std::abs(*elo0) > most_elo || std::abs(*elo1) > most_elo) {
-    throw BadInput(fmt::format("{}: {}; expected two numbers from {} to {}, as in 0,10", option, text::in_quotes(text),
+    throw BadInput(fmt::format("{}: {}; expected two numbers from {} to {}, as in 0,10", option, texts::in_quotes(text),
                                -most_elo, most_elo));
   }
   if (!(*elo0 < *elo1)) {
-    throw BadInput(fmt::format("{}: {}; the first must be the smaller one", option, text::in_quotes(text)));
+    throw BadInput(fmt::format("{}: {}; the first must be the smaller one", option, texts::in_quotes(text)));
   }
   return {*elo0, *elo1};
 }

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::cluster {
 

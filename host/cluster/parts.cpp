@@ -15,8 +15,8 @@
 
 #include "cluster/shared_file.hpp"
 #include "process/descriptor.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cluster {
 namespace {
@@ -101,7 +101,7 @@ class Gathering {
 
  private:
   void remark(const Named& part, const std::string& what) {
-    out_.remarks.push_back(text::one_line(fmt::format("{}: {}", part.path.filename().string(), what)));
+    out_.remarks.push_back(texts::one_line(fmt::format("{}: {}", part.path.filename().string(), what)));
   }
 
   void take(const Named& part, Tasks tasks) {
@@ -163,7 +163,7 @@ class Gathering {
     if (json.is_object() && json.contains("node") && json.contains("why") && json["node"].is_string() &&
         json["why"].is_string()) {
       const std::string node = json["node"], why = json["why"];
-      out_.remarks.push_back(text::one_line(fmt::format("node {} plays nothing: {}", node, why)));
+      out_.remarks.push_back(texts::one_line(fmt::format("node {} plays nothing: {}", node, why)));
       if (std::ranges::find(out_.refused_nodes, node) == out_.refused_nodes.end()) out_.refused_nodes.push_back(node);
     }
     std::error_code none;

@@ -23,7 +23,7 @@
 #include "process/program.hpp"
 #include "results/results_file.hpp"
 #include "results/study_run.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cluster {
 namespace {
@@ -37,7 +37,7 @@ std::string line_of(const std::vector<std::string>& words) { return process::she
 std::string command_of(const char* name, const StudyFolder& folder) {
   return line_of({"regista", name, folder.root().string()});
 }
-std::string name_of(const StudyFolder& folder) { return text::one_line(folder.root().string()); }
+std::string name_of(const StudyFolder& folder) { return texts::one_line(folder.root().string()); }
 
 Settings settings_of(const Options& options, const campaign::Options& campaign) {
   Settings out;
@@ -120,7 +120,7 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   using enum output::OutputFiles::Page;
   output::OutputFiles outputs({}, "study");
   outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
-  if (!options.quiet) command::say(fmt::format("results: {}\n", text::one_line(own.results)));
+  if (!options.quiet) command::say(fmt::format("results: {}\n", texts::one_line(own.results)));
   if (kind.go_on) return kind.go_on(plan, own, outputs, invocation);
   campaign::Store store = results::open_results(own.results, true, report->study(), {}, invocation.studies);
   results::StudyWishes wishes;
@@ -268,11 +268,11 @@ int tell_step(const StudyFolder& folder, const Step& step, const campaign::Optio
   for (const std::string& each : step.gathered.remarks) command::complain(each);
   if (step.gathered.refused > 0)
     command::complain(fmt::format("{} matches do not fit; their parts are kept in {}", step.gathered.refused,
-                                  text::one_line(folder.set_aside().string())));
+                                  texts::one_line(folder.set_aside().string())));
   if (step.progress.state == Progress::State::complete) return finish(folder, step.progress, options, invocation);
   if (step.progress.state == Progress::State::failed)
     throw command::BadInput(
-        fmt::format("{}; to go on: {}", text::one_line(step.progress.message), command_to_go_on(folder)));
+        fmt::format("{}; to go on: {}", texts::one_line(step.progress.message), command_to_go_on(folder)));
   if (!options.quiet) {
     std::string text = fmt::format("{} matches gathered", step.gathered.rows);
     if (step.submitted > 0) text += ", " + in_words(step.progress.batches.back());

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "study/study.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::cluster {
 

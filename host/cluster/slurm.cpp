@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "process/program.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cluster {
 namespace {
@@ -63,7 +63,7 @@ ProgramEnd run(const std::vector<std::string>& words) {
   while (std::getline(lines, line)) {
     if (!line.empty()) last = line;
   }
-  throw SlurmError(last.empty() ? command + " failed and does not say why" : text::one_line(last));
+  throw SlurmError(last.empty() ? command + " failed and does not say why" : texts::one_line(last));
 }
 
 std::string folder_of(const JobRequest& request) { return request.script.parent_path().string(); }
@@ -106,7 +106,7 @@ std::string submit(const JobRequest& request) {
   }
   // "123" or "123;cluster"
   const std::string number = ended.output.substr(0, ended.output.find_first_not_of("0123456789"));
-  if (number.empty()) throw SlurmError("sbatch names no job: " + text::one_line(ended.output));
+  if (number.empty()) throw SlurmError("sbatch names no job: " + texts::one_line(ended.output));
   return number;
 }
 

@@ -22,7 +22,7 @@
 #include "output/replaced_file.hpp"
 #include "process/program.hpp"
 #include "results/results_file.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cluster {
 namespace {
@@ -290,7 +290,7 @@ std::string what_differs_here(const campaign::Job& planned) {
     out.emplace_back("its program is another");
   if (campaign::input_of(planned, campaign::mathematics_input) != campaign::mathematics_fingerprint())
     out.emplace_back("its mathematics library or processor computes other numbers");
-  return text::join(out);
+  return texts::join(out);
 }
 
 std::vector<std::string> jobs_alive(const Progress& progress) {
@@ -308,7 +308,7 @@ void stop_study(const StudyFolder& folder) {
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
-    throw command::BadInput(fmt::format("stop: {}: the study is complete", text::one_line(folder.root().string())));
+    throw command::BadInput(fmt::format("stop: {}: the study is complete", texts::one_line(folder.root().string())));
   try {
     find_unnoted_jobs(folder, settings, progress);
     cancel(jobs_alive(progress));

@@ -12,8 +12,8 @@
 #include "config/bad_input.hpp"
 #include "output/output.hpp"
 #include "output/replaced_file.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cluster {
 
@@ -46,23 +46,23 @@ std::optional<std::string> content_of(const fs::path& file) {
   try {
     return shared_content(file);
   } catch (const std::system_error& error) {
-    throw BadInput(fmt::format("{} cannot be read: {}", text::one_line(file.string()), error.code().message()));
+    throw BadInput(fmt::format("{} cannot be read: {}", texts::one_line(file.string()), error.code().message()));
   }
 }
 
 std::string damaged(const StudyFolder& folder) {
-  return fmt::format("{} is damaged", text::one_line(folder.description().string()));
+  return fmt::format("{} is damaged", texts::one_line(folder.description().string()));
 }
 
 Json description_of(const StudyFolder& folder) {
   const fs::path file = folder.description();
   const auto text = content_of(file);
-  const std::string name = text::one_line(folder.root().string());
+  const std::string name = texts::one_line(folder.root().string());
   if (!text) throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", name));
   Json json = Json::parse(*text, nullptr, false);
   if (!json.is_object()) throw BadInput(damaged(folder));
   if (json.value("study_folder", nlohmann::json()) != layout)
-    throw BadInput(fmt::format("{} was written by another version of Regista", text::one_line(file.string())));
+    throw BadInput(fmt::format("{} was written by another version of Regista", texts::one_line(file.string())));
   return json;
 }
 
@@ -93,9 +93,9 @@ void copy_whole(const fs::path& from, const fs::path& to) {
   if (!error) fs::copy_file(from, to, fs::copy_options::skip_existing, error);
   if (!error) return;
   if (error == std::errc::no_such_file_or_directory)
-    throw BadInput(fmt::format("{}: no such file any more", text::one_line(from.string())));
-  throw output::WriteError(fmt::format("cannot copy {} to {}: {}", text::one_line(from.string()),
-                                       text::one_line(to.string()), error.message()));
+    throw BadInput(fmt::format("{}: no such file any more", texts::one_line(from.string())));
+  throw output::WriteError(fmt::format("cannot copy {} to {}: {}", texts::one_line(from.string()),
+                                       texts::one_line(to.string()), error.message()));
 }
 
 }  // namespace
@@ -128,7 +128,7 @@ fs::path StudyFolder::course(const TaskName& task) const { return parts() / name
 fs::path StudyFolder::refusal(const TaskName& task) const { return parts() / name_of(task, ".refused"); }
 
 void StudyFolder::create(const Settings& settings) const {
-  const std::string name = text::one_line(root_.string());
+  const std::string name = texts::one_line(root_.string());
   std::error_code error;
   if (fs::exists(root_, error)) {
     throw BadInput(fmt::format(

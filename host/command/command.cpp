@@ -9,7 +9,7 @@
 
 #include "command/help_text.hpp"
 #include "config/bad_input.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::command {
 namespace {
@@ -140,11 +140,11 @@ std::string Command::not_expected(const std::string& word) const {
     for (const OptionDeclaration& each : declared_.options) {
       if (!each.is_positional()) names.push_back(each.name());
     }
-    return text::unknown("option", word.substr(0, word.find('=')), declared_.full_name, names);
+    return texts::unknown("option", word.substr(0, word.find('=')), declared_.full_name, names);
   }
   if (const auto known = names_of_commands(); !known.empty())
-    return text::unknown("command", word, declared_.full_name, known);
-  return fmt::format("unexpected argument {}; see: {} --help", text::in_quotes(word), declared_.full_name);
+    return texts::unknown("command", word, declared_.full_name, known);
+  return fmt::format("unexpected argument {}; see: {} --help", texts::in_quotes(word), declared_.full_name);
 }
 
 // "; `regista experiment` has one": of an option that another command of the program takes.
@@ -158,7 +158,7 @@ std::string Command::elsewhere(const std::string& word) const {
   }
   constexpr std::size_t most = 3;
   if (takers.empty() || takers.size() > most) return {};
-  return fmt::format("; {} {} one", text::join(takers), takers.size() == 1 ? "has" : "have");
+  return fmt::format("; {} {} one", texts::join(takers), takers.size() == 1 ? "has" : "have");
 }
 
 // An empty value is most often a variable of a script that was not set; a value that looks like an option is one whose
@@ -170,7 +170,7 @@ void Command::refuse_missing_values() const {
     for (const std::string& value : options_[i]->results()) {
       if (value.empty()) throw BadInput(fmt::format("{} needs a value", name));
       if (value.starts_with("--")) {
-        throw BadInput(fmt::format("{} needs a value, and {} is an option", name, text::in_quotes(value)));
+        throw BadInput(fmt::format("{} needs a value, and {} is an option", name, texts::in_quotes(value)));
       }
     }
   }
@@ -197,7 +197,7 @@ Command::Typed Command::read(const std::vector<std::string>& words, std::size_t 
   const Command& command = chosen();
   command.refuse_missing_values();
   if (!command.run) {
-    throw BadInput(fmt::format("which command? There are: {}; see: {} --help", text::join(command.names_of_commands()),
+    throw BadInput(fmt::format("which command? There are: {}; see: {} --help", texts::join(command.names_of_commands()),
                                command.declared_.full_name));
   }
   return {&command, {}};

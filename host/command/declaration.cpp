@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "config/bad_input.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::command {
 
@@ -16,7 +16,7 @@ const CommandDeclaration& named(const CommandDeclaration& program, const std::ve
       std::vector<std::string> names;
       for (const CommandDeclaration& each : command->commands) names.push_back(each.name);
       if (names.empty()) throw config::BadInput(command->full_name + " has no commands of its own");
-      throw config::BadInput(text::unknown("command", word, command->full_name, names));
+      throw config::BadInput(texts::unknown("command", word, command->full_name, names));
     }
     command = &*found;
   }

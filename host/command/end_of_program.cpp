@@ -13,13 +13,13 @@
 #include "config/node.hpp"
 #include "output/output.hpp"
 #include "plugin/failure.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::command {
 
 void complain(std::string_view message) {
   // If standard error cannot be written to either, there is nobody left to tell.
-  const std::string line = fmt::format("regista: {}\n", text::one_line(message));
+  const std::string line = fmt::format("regista: {}\n", texts::one_line(message));
   std::fwrite(line.data(), 1, line.size(), stderr);
   std::fflush(stderr);
 }

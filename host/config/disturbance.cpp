@@ -9,7 +9,7 @@
 #include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -69,7 +69,7 @@ Node written(const Whom& whom) {
 double moment(const Node& node, const std::string& what) {
   const double time = to_real(node, what);
   if (time < 0.0 || time > longest) {
-    throw Error(node.where(), fmt::format("{}: {} is outside 0 to {} s", what, text::in_quotes(node.text()), longest));
+    throw Error(node.where(), fmt::format("{}: {} is outside 0 to {} s", what, texts::in_quotes(node.text()), longest));
   }
   return time;
 }
@@ -235,7 +235,7 @@ void check(const Disturbance& disturbance, const Node& document, Mistakes& mista
     for (const Value& value : values()) {
       const bool there = (incident.*value.member).has_value();
       if (there && !among(value.of, incident.kind)) {
-        const std::string has = known.empty() ? "none of its own" : text::join(known);
+        const std::string has = known.empty() ? "none of its own" : texts::join(known);
         refuse(document, {fmt::format("{}.{}", path, value.key), path_of_kind},
                fmt::format("{}: makes no sense for {}, whose values are: {}",
                            path_of(disturbance, i) + '.' + std::string(value.key), kind, has),
@@ -246,7 +246,7 @@ void check(const Disturbance& disturbance, const Node& document, Mistakes& mista
       }
     }
     if (incident.kind == Kind::pose_bias && !any) {
-      lacks("x", fmt::format("{}: by how much? expected {}", path_of(disturbance, i), text::join(known)));
+      lacks("x", fmt::format("{}: by how much? expected {}", path_of(disturbance, i), texts::join(known)));
     }
     if (incident.kind == Kind::ghost_ball && incident.x.has_value() != incident.y.has_value()) {
       lacks(incident.x ? "y" : "x",

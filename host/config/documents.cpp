@@ -13,7 +13,7 @@
 #include "config/schema.hpp"
 #include "config/show.hpp"
 #include "config/team_page.hpp"
-#include "text/nearest.hpp"
+#include "texts/nearest.hpp"
 
 namespace regista::config {
 namespace {
@@ -265,7 +265,7 @@ bool is_of_a_match(std::string_view path, const Map& study) {
   TeamPage page;
   const auto distance = [first](const Map& declared) {
     std::size_t least = first.size();
-    for (const Field& each : declared.fields) least = std::min(least, text::edit_distance(first, each.key));
+    for (const Field& each : declared.fields) least = std::min(least, texts::edit_distance(first, each.key));
     return least;
   };
   const bool letter = first.size() == 1 && (first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z';

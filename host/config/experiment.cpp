@@ -11,7 +11,7 @@
 #include "config/line.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -76,7 +76,7 @@ void require_arm(const Experiment& experiment, const Node& name) {
   std::vector<std::string> known;
   for (const Experiment::Arm& arm : experiment.arms) known.push_back(arm.name);
   if (std::ranges::find(known, name.text()) != known.end()) return;
-  throw Error(name.where(), "primary.compare: " + text::unknown("arm", name.text(), "", known));
+  throw Error(name.where(), "primary.compare: " + texts::unknown("arm", name.text(), "", known));
 }
 
 void check_compared(const Experiment& experiment, Mistakes& mistakes) {
@@ -163,7 +163,7 @@ void check(const Experiment& experiment, const Node& document, Mistakes& mistake
     if (arm.name.empty() && !mistakes.doubtful(name)) mistakes.add(Error(arm.where, "arms: expected a name"), name);
     if (!arm.team.empty() || !experiment.team.empty() || mistakes.doubtful(team) || mistakes.doubtful("team")) continue;
     mistakes.add(Error(arm.where, fmt::format("arm {}: which team? Name it here, or for all arms by `team`",
-                                              text::in_quotes(arm.name))),
+                                              texts::in_quotes(arm.name))),
                  team);
   }
   if (experiment.matches && *experiment.matches % 2 != 0) {

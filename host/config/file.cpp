@@ -13,8 +13,8 @@
 
 #include "config/parse.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
-#include "text/nearest.hpp"
+#include "texts/message.hpp"
+#include "texts/nearest.hpp"
 
 namespace regista::config {
 namespace {
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 bool alike(const fs::path& asked, const fs::path& there) {
   const std::string stem = asked.stem().string();
   const std::array names{there.stem().string()};
-  return stem == names.front() || !text::nearest(stem, std::span<const std::string>(names)).empty();
+  return stem == names.front() || !texts::nearest(stem, std::span<const std::string>(names)).empty();
 }
 
 // `; nearest: "b.yaml"` when the folder holds a file of nearly that name.
@@ -42,8 +42,8 @@ std::string neighbour(const fs::path& file) {
   if (failed && file.has_parent_path()) return fmt::format("; there is no folder {}", folder.string());
   std::sort(names.begin(), names.end());
   const std::string asked = file.filename().string();
-  const std::string_view near = text::nearest(asked, names);
-  return near.empty() || near == asked ? "" : fmt::format("; nearest: {}", text::in_quotes(near));
+  const std::string_view near = texts::nearest(asked, names);
+  return near.empty() || near == asked ? "" : fmt::format("; nearest: {}", texts::in_quotes(near));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <numeric>
 
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 
@@ -18,9 +18,9 @@ std::string to_string(const Location& where) {
 }
 
 Error::Error(Location where, const std::string& message)
-    : std::runtime_error(text::one_line(to_string(where) + ": " + message)),
+    : std::runtime_error(texts::one_line(to_string(where) + ": " + message)),
       where_(std::move(where)),
-      before_message_(text::one_line(to_string(where_) + ": ").size()) {}
+      before_message_(texts::one_line(to_string(where_) + ": ").size()) {}
 
 struct Node::Data {
   Kind kind = Kind::null;

@@ -10,7 +10,7 @@
 #include "config/place.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -100,7 +100,7 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
   for (const auto& [side, players] : {std::pair{"home", &opening.home}, {"away", &opening.away}}) {
     if (players->size() < static_cast<std::size_t>(rules.team_size)) {
       found(side, fmt::format("{} has {}, a team has {} robots", side,
-                              text::counted(players->size(), "place", "places"), rules.team_size));
+                              texts::counted(players->size(), "place", "places"), rules.team_size));
     }
   }
   const FieldSize& field = rules.field;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -86,7 +86,7 @@ void insert(std::vector<Node>& elements, const Placed& placed, Node element) {
   const std::size_t index = index_of(elements, beside.text());
   if (index == elements.size()) {
     throw Error(beside.where(),
-                text::unknown("element", beside.text(), placed.before ? "before" : "after", names_of(elements)));
+                texts::unknown("element", beside.text(), placed.before ? "before" : "after", names_of(elements)));
   }
   elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(index + (placed.before ? 0 : 1)), std::move(element));
 }
@@ -104,7 +104,8 @@ void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
   const auto at = elements.begin() + static_cast<std::ptrdiff_t>(index);
   if (entry.value.kind() == Node::Kind::null) {
     if (!there) {
-      throw Error(entry.key_where, "nothing to remove: " + text::unknown("element", entry.key, "", names_of(elements)));
+      throw Error(entry.key_where,
+                  "nothing to remove: " + texts::unknown("element", entry.key, "", names_of(elements)));
     }
     elements.erase(at);
     return;
@@ -113,12 +114,12 @@ void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
     throw Error(entry.value.where(), fmt::format("{}: expected a map, not {}", entry.key, described(entry.value)));
   }
   if (const Node own = entry.value["name"]; own && own.text() != entry.key) {
-    throw Error(own.where(), fmt::format("{} stands under another name, {}", text::in_quotes(own.text()), entry.key));
+    throw Error(own.where(), fmt::format("{} stands under another name, {}", texts::in_quotes(own.text()), entry.key));
   }
   const Placed over = placed(entry.value);
   const bool has_place = over.before || over.after;
   if (!there && !has_place) {
-    throw Error(entry.key_where, text::unknown("element", entry.key, "", names_of(elements)) +
+    throw Error(entry.key_where, texts::unknown("element", entry.key, "", names_of(elements)) +
                                      "; a new one says where it goes, before: NAME or after: NAME");
   }
   if (!there) {
@@ -194,7 +195,7 @@ struct Overlay {
 
   Node lay_map(const Node& map, std::string_view rest) const {
     const std::string_view key = first_key(map, rest);
-    if (key.empty()) throw Error(where, fmt::format("{}: empty name in the path", text::in_quotes(path)));
+    if (key.empty()) throw Error(where, fmt::format("{}: empty name in the path", texts::in_quotes(path)));
     const bool last = key.size() == rest.size();
     if (last) return merge(map, Node::map({{std::string(key), where, value}}, map.where()));
     const std::string_view below = rest.substr(key.size() + 1);
@@ -232,7 +233,7 @@ struct Overlay {
       throw Error(where,
                   fmt::format("{} has {} elements; there is no {}", walked(path, rest), elements.size(), *meant));
     }
-    throw Error(where, text::unknown("element", name, walked(path, rest), names_of(elements)));
+    throw Error(where, texts::unknown("element", name, walked(path, rest), names_of(elements)));
   }
 };
 
@@ -254,7 +255,7 @@ Node merge(const Node& base, const Node& over) {
   for (const Node::Entry& entry : over.entries()) {
     if (entry.value.kind() == Node::Kind::null) {
       if (base[entry.key]) continue;
-      throw Error(entry.key_where, "nothing to remove: " + text::unknown("key", entry.key, "", keys_of(base)));
+      throw Error(entry.key_where, "nothing to remove: " + texts::unknown("key", entry.key, "", keys_of(base)));
     }
     const auto place = places.find(entry.key);
     if (place == places.end()) {

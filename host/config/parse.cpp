@@ -16,7 +16,7 @@
 
 #include "config/encoding.hpp"
 #include "config/file.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -164,7 +164,7 @@ class Builder : public YAML::EventHandler {
 
   void refuse_tag(const YAML::Mark& mark, const std::string& tag) const {
     if (!tag.empty() && tag != "?" && tag != "!") {
-      throw Error(at(mark), fmt::format("tag {}; tags are not supported", text::in_quotes(tag)));
+      throw Error(at(mark), fmt::format("tag {}; tags are not supported", texts::in_quotes(tag)));
     }
   }
 
@@ -196,7 +196,7 @@ class Builder : public YAML::EventHandler {
   void begin_entry(const std::string& key, Location where) {
     const auto [first, added] = open_.back().lines.emplace(key, where.line);
     if (!added) {
-      std::string message = fmt::format("duplicate key {}", text::in_quotes(key));
+      std::string message = fmt::format("duplicate key {}", texts::in_quotes(key));
       if (!fixed_) message += fmt::format("; first in line {}", first->second);
       throw Error(std::move(where), message);
     }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 
@@ -23,7 +23,7 @@ Place to_place(const Node& node, std::string_view what) {
     const std::span<const std::string> names = anchor_names();
     const auto found = std::find(names.begin(), names.end(), node.text());
     if (found == names.end()) {
-      throw Error(node.where(), fmt::format("{}: {}", what, text::unknown("place", node.text(), "", names)));
+      throw Error(node.where(), fmt::format("{}: {}", what, texts::unknown("place", node.text(), "", names)));
     }
     return {static_cast<Anchor>(found - names.begin()), {}};
   }
@@ -38,7 +38,7 @@ Place to_place(const Node& node, std::string_view what) {
     place.point[i] = to_real(coordinate, fmt::format("{}.{}", what, i));
     if (std::abs(place.point[i]) > farthest_coordinate) {
       throw Error(coordinate.where(),
-                  fmt::format("{}.{}: {} is outside {} to {} m", what, i, text::in_quotes(coordinate.text()),
+                  fmt::format("{}.{}: {} is outside {} to {} m", what, i, texts::in_quotes(coordinate.text()),
                               -farthest_coordinate, farthest_coordinate));
     }
   }

@@ -10,8 +10,8 @@
 
 #include "config/file.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
-#include "text/nearest.hpp"
+#include "texts/message.hpp"
+#include "texts/nearest.hpp"
 
 namespace regista::config {
 namespace {
@@ -20,7 +20,7 @@ double real_in(const Node& node, const std::string& what, Range range, const std
   const double value = to_real(node, what);
   if (value < range.least || value > range.most) {
     throw Error(node.where(),
-                fmt::format("{}: {} is outside {}", what, text::in_quotes(node.text()), range_text(range, unit)));
+                fmt::format("{}: {} is outside {}", what, texts::in_quotes(node.text()), range_text(range, unit)));
   }
   return value;
 }
@@ -76,7 +76,7 @@ struct Reader {
     const std::string asked = to_text(node, what);
     const auto found = std::find(choice.names.begin(), choice.names.end(), asked);
     if (found == choice.names.end())
-      throw Error(node.where(), what + ": " + text::unknown("value", asked, "", choice.names));
+      throw Error(node.where(), what + ": " + texts::unknown("value", asked, "", choice.names));
     choice.set(static_cast<std::size_t>(found - choice.names.begin()));
   }
 
@@ -161,7 +161,7 @@ struct Reader {
     for (const Node::Entry& other : node.entries()) {
       if (other.value.kind() == Node::Kind::sequence) lists.push_back(other.key);
     }
-    throw Error(entry.key_where, text::unknown("list", entry.key, what, lists) +
+    throw Error(entry.key_where, texts::unknown("list", entry.key, what, lists) +
                                      "; a map changes a list of the page that this one extends, a new one is a list");
   }
 
@@ -175,7 +175,7 @@ struct Reader {
         const Node other = elements[j]["name"];
         if (other.kind() != Node::Kind::scalar || other.text() != own.text()) continue;
         mistakes.add(Error(own.where(), fmt::format("{}: second element named {}; the first is at {}", what,
-                                                    text::in_quotes(own.text()), to_string(other.where()))),
+                                                    texts::in_quotes(own.text()), to_string(other.where()))),
                      fmt::format("{}.{}.name", what, i));
         break;
       }
@@ -199,7 +199,7 @@ std::optional<Run> run_together(const std::string& written, const std::vector<st
     if (!written.starts_with(key) || written.size() == key.size()) continue;
     if (written[key.size()] == ' ') return Run{key, fmt::format("':' is missing after {}", key)};
     if (written[key.size()] == ':') {
-      return Run{key, fmt::format("{}: a space is missing after {}:", text::in_quotes(written), key)};
+      return Run{key, fmt::format("{}: a space is missing after {}:", texts::in_quotes(written), key)};
     }
   }
   return std::nullopt;
@@ -212,9 +212,9 @@ void check_known(const Node& node, const std::string& what, const std::vector<st
       mistakes.add(Error(entry.key_where, run->message), inside(what, run->key));
       continue;
     }
-    mistakes.add(Error(entry.key_where, text::unknown("key", entry.key, what, keys)), inside(what, entry.key));
+    mistakes.add(Error(entry.key_where, texts::unknown("key", entry.key, what, keys)), inside(what, entry.key));
     // Who wrote `lenght` has not left out `length`.
-    if (const std::string_view meant = text::nearest(entry.key, keys); !meant.empty()) {
+    if (const std::string_view meant = texts::nearest(entry.key, keys); !meant.empty()) {
       mistakes.doubt(inside(what, std::string(meant)));
     }
   }
@@ -240,7 +240,7 @@ void check_exactly_one(const Map& map, const Node& node, const std::string& what
     if (found != node.entries().end()) present.push_back(&*found);
   }
   if (present.size() > 1) {
-    std::string message = fmt::format("{}expected exactly one of {}", before, text::join(map.exactly_one));
+    std::string message = fmt::format("{}expected exactly one of {}", before, texts::join(map.exactly_one));
     const Node::Entry* const over = laid_over(node, present);
     if (over != nullptr) {
       const Node::Entry* const under = present[present.front() == over ? 1 : 0];
@@ -253,7 +253,7 @@ void check_exactly_one(const Map& map, const Node& node, const std::string& what
   const bool doubtful = std::ranges::any_of(
       map.exactly_one, [&](const std::string& key) { return mistakes.doubtful(inside(what, key)); });
   if (!present.empty() || doubtful) return;
-  mistakes.add(Error(node.where(), fmt::format("{}expected one of {}", before, text::join(map.exactly_one))),
+  mistakes.add(Error(node.where(), fmt::format("{}expected one of {}", before, texts::join(map.exactly_one))),
                inside(what, map.exactly_one.front()));
 }
 

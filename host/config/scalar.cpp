@@ -8,7 +8,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -34,7 +34,7 @@ void check_number(const Node& node, std::string_view what, std::string_view want
   if (node.kind() != Node::Kind::scalar) refuse_kind(node, what, wanted);
   const std::string& text = node.text();
   const auto refuse = [&](std::string_view reason) {
-    throw Error(node.where(), fmt::format("{}: {} {}", what, text::in_quotes(text), reason));
+    throw Error(node.where(), fmt::format("{}: {} {}", what, texts::in_quotes(text), reason));
   };
   if (node.quoted()) refuse(fmt::format("is text, being quoted; expected {}", wanted));
   const std::string_view digits = magnitude(text);
@@ -70,11 +70,11 @@ double to_real(const Node& node, std::string_view what) {
   check_number(node, what, "a number");
   const std::string& text = node.text();
   const std::string_view digits = magnitude(text);
-  if (!decimal(digits)) throw Error(node.where(), fmt::format("{}: {} is not a number", what, text::in_quotes(text)));
+  if (!decimal(digits)) throw Error(node.where(), fmt::format("{}: {} is not a number", what, texts::in_quotes(text)));
   double value = 0.0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc{} || !std::isfinite(value)) {
-    throw Error(node.where(), fmt::format("{}: {} is beyond what a number can hold", what, text::in_quotes(text)));
+    throw Error(node.where(), fmt::format("{}: {} is beyond what a number can hold", what, texts::in_quotes(text)));
   }
   return text[0] == '-' ? -value : value;
 }
@@ -84,13 +84,13 @@ std::int64_t to_integer(const Node& node, std::string_view what) {
   const std::string& text = node.text();
   const std::string_view digits = magnitude(text);
   if (digits.empty() || !std::all_of(digits.begin(), digits.end(), digit)) {
-    throw Error(node.where(), fmt::format("{}: {} is not an integer", what, text::in_quotes(text)));
+    throw Error(node.where(), fmt::format("{}: {} is not an integer", what, texts::in_quotes(text)));
   }
   std::int64_t value = 0;
   const char* begin = text.data() + (text[0] == '+' ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
   if (error != std::errc{}) {
-    throw Error(node.where(), fmt::format("{}: {} is beyond what an integer can hold", what, text::in_quotes(text)));
+    throw Error(node.where(), fmt::format("{}: {} is beyond what an integer can hold", what, texts::in_quotes(text)));
   }
   return value;
 }
@@ -106,7 +106,7 @@ bool to_boolean(const Node& node, std::string_view what) {
   std::string hint;
   if (word == "yes" || word == "on" || word == "y" || word == "true" || word == "1") hint = "; write true";
   if (word == "no" || word == "off" || word == "n" || word == "false" || word == "0") hint = "; write false";
-  throw Error(node.where(), fmt::format("{}: {} is neither true nor false{}", what, text::in_quotes(text), hint));
+  throw Error(node.where(), fmt::format("{}: {} is neither true nor false{}", what, texts::in_quotes(text), hint));
 }
 
 std::string to_text(const Node& node, std::string_view what) {
@@ -119,18 +119,19 @@ std::string to_name(const Node& node, std::string_view what) {
   const std::string& text = node.text();
   const std::string word = lower(text);
   if (!node.quoted() && (word == "true" || word == "false")) {
-    throw Error(node.where(), fmt::format("{}: {} is a boolean; expected a name", what, text::in_quotes(text)));
+    throw Error(node.where(), fmt::format("{}: {} is a boolean; expected a name", what, texts::in_quotes(text)));
   }
   const bool good = !text.empty() && letter(text[0]) && std::all_of(text.begin(), text.end(), [](char c) {
     return letter(c) || digit(c) || c == '_' || c == '-';
   });
   if (!good) {
     throw Error(node.where(), fmt::format("{}: {} is not a name (a letter, then letters, digits, '_' and '-')", what,
-                                          text::in_quotes(text)));
+                                          texts::in_quotes(text)));
   }
   constexpr std::size_t longest = 64;
   if (text.size() > longest) {
-    throw Error(node.where(), fmt::format("{}: {} is longer than {} characters", what, text::in_quotes(text), longest));
+    throw Error(node.where(),
+                fmt::format("{}: {} is longer than {} characters", what, texts::in_quotes(text), longest));
   }
   return text;
 }
@@ -142,7 +143,7 @@ std::string described(const Node& node) {
     case Node::Kind::sequence:
       return "a list";
     case Node::Kind::scalar:
-      return text::in_quotes(node.text());
+      return texts::in_quotes(node.text());
     default:
       return "nothing";
   }

@@ -12,7 +12,7 @@
 #include "config/place.hpp"
 #include "config/scalar.hpp"
 #include "config/team_page.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::config {
 namespace {

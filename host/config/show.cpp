@@ -10,7 +10,7 @@
 #include "config/file.hpp"
 #include "config/flow.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -200,7 +200,7 @@ class Page {
     constexpr std::size_t column = 44;
     const std::string text = std::string(static_cast<std::size_t>(indent), ' ') + content;
     text_ +=
-        remarks_ == Remarks::with ? fmt::format("{:<{}}  # {}\n", text, column, text::one_line(remark)) : text + '\n';
+        remarks_ == Remarks::with ? fmt::format("{:<{}}  # {}\n", text, column, texts::one_line(remark)) : text + '\n';
   }
 
   std::span<const PluginDeclaration> plugins_;

@@ -9,7 +9,7 @@
 #include "config/overlay.hpp"
 #include "config/read.hpp"
 #include "config/team_page.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -104,7 +104,7 @@ int role_list_named(const Node& value, const TeamPage& page, const std::string& 
   for (const RoleList& list : page.role_lists) names.push_back(list.name);
   if (value.kind() != Node::Kind::scalar) throw Error(value.where(), what + ": expected the name of a list of roles");
   const auto found = std::find(names.begin(), names.end(), value.text());
-  if (found == names.end()) throw Error(value.where(), text::unknown("list of roles", value.text(), "", names));
+  if (found == names.end()) throw Error(value.where(), texts::unknown("list of roles", value.text(), "", names));
   return static_cast<int>(found - names.begin());
 }
 
@@ -117,7 +117,7 @@ std::string unknown_term(std::string_view key, const Node& values) {
   if (term.size() == rest.size() || known[term]) return {};
   std::vector<std::string> names;
   for (const Node::Entry& each : known.entries()) names.push_back(each.key);
-  return text::unknown("term", term, "utility.terms", names);
+  return texts::unknown("term", term, "utility.terms", names);
 }
 
 // The targets of a context, by place in its list of roles. `targets`: a map from roles to where they are played.
@@ -133,7 +133,7 @@ void read_targets(const Node& targets, const RoleList& list, const std::string& 
     const auto found = std::ranges::find(names, each.name);
     if (found == names.end()) {
       const auto written = std::ranges::find(targets.entries(), each.name, &Node::Entry::key);
-      mistakes.add(Error(written->key_where, text::unknown("role", each.name, list.name, names)), path);
+      mistakes.add(Error(written->key_where, texts::unknown("role", each.name, list.name, names)), path);
       continue;
     }
     check_target(each.target, targets[each.name], path, mistakes);
@@ -151,7 +151,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
     const std::string first = entry.key.substr(0, entry.key.find('.'));
     mistakes.attempt(what, [&] {
       if (std::count(usable_keys().begin(), usable_keys().end(), first) == 0) {
-        throw Error(entry.key_where, text::unknown("key", first, what, usable_keys()));
+        throw Error(entry.key_where, texts::unknown("key", first, what, usable_keys()));
       }
       if (entry.key == "roles") {
         list_known = false;

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "config/read.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 
@@ -16,7 +16,7 @@ void check(const Team& team, const Rules& rules, const Node& document, Mistakes&
       const std::string path = fmt::format("roles.{}.{}.robot", list.name, i);
       refuse(document, {path},
              fmt::format("{}: the role {} is for robot {}, a team has {} by the rules {}", path, role.name, role.robot,
-                         text::counted(static_cast<std::uint64_t>(rules.team_size), "robot", "robots"), rules.name),
+                         texts::counted(static_cast<std::uint64_t>(rules.team_size), "robot", "robots"), rules.name),
              mistakes);
     }
   }

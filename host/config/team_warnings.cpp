@@ -14,7 +14,7 @@
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/team_page.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -43,7 +43,7 @@ std::string those_left(const std::set<int>& certain, int team_size) {
   if (numbers.size() == 1) return "robot " + numbers.front();
   const std::string last = numbers.back();
   numbers.pop_back();
-  return fmt::format("robots {} and {}", text::join(numbers), last);
+  return fmt::format("robots {} and {}", texts::join(numbers), last);
 }
 
 std::string contexts_that_play(const Team& team, std::size_t list) {
@@ -51,7 +51,7 @@ std::string contexts_that_play(const Team& team, std::size_t list) {
   for (const Context& context : team.contexts) {
     if (static_cast<std::size_t>(context.role_list) == list) names.push_back(context.name);
   }
-  return names.empty() ? "" : fmt::format("{} {}", names.size() == 1 ? "context" : "contexts", text::join(names));
+  return names.empty() ? "" : fmt::format("{} {}", names.size() == 1 ? "context" : "contexts", texts::join(names));
 }
 
 Location key_of(const Node& roles, const std::string& name) {
@@ -184,7 +184,7 @@ void warn_of_targets(const Team& team, const Context& context, const Node& use, 
 }  // namespace
 
 std::string to_string(const Warning& warning) {
-  return text::one_line(fmt::format("{}: warning: {}", to_string(warning.where), warning.message));
+  return texts::one_line(fmt::format("{}: warning: {}", to_string(warning.where), warning.message));
 }
 
 bool always_holds(const Context& context) { return context.use.plugin == "always" && context.use.file.empty(); }
@@ -213,7 +213,7 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
     if (played >= rules.team_size) continue;
     const int left = rules.team_size - played;
     const std::string who = by.for_all == 0 ? those_left(by.certain, rules.team_size)
-                                            : text::counted(static_cast<std::uint64_t>(left), "robot", "robots");
+                                            : texts::counted(static_cast<std::uint64_t>(left), "robot", "robots");
     out.push_back({key_of(document["roles"], list.name),
                    fmt::format("roles.{}: role{} for {} of {} robots in {}: {} will stand", list.name,
                                played == 1 ? "" : "s", played, rules.team_size, contexts, who)});

@@ -6,7 +6,7 @@
 #include "config/line.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {

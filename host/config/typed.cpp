@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "config/bad_input.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 
@@ -22,7 +22,7 @@ std::optional<double> typed_number(std::string_view text) {
 double parse_rate(const std::string& option, const std::string& text) {
   const auto rate = typed_number(text);
   if (!rate || !(*rate > 0.0 && *rate < 1.0)) {
-    throw BadInput(fmt::format("{}: {}; expected a number above 0 and below 1", option, text::in_quotes(text)));
+    throw BadInput(fmt::format("{}: {}; expected a number above 0 and below 1", option, texts::in_quotes(text)));
   }
   return *rate;
 }
@@ -33,7 +33,7 @@ std::uint64_t parse_whole(const std::string& option, const std::string& text, st
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || rest != end || value < least || value > most) {
     throw BadInput(
-        fmt::format("{}: {}; expected a whole number from {} to {}", option, text::in_quotes(text), least, most));
+        fmt::format("{}: {}; expected a whole number from {} to {}", option, texts::in_quotes(text), least, most));
   }
   return value;
 }

@@ -10,8 +10,8 @@
 #include "config/parse.hpp"
 #include "config/show.hpp"
 #include "config/typed.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 std::string inside(const std::string& path, const std::string& key) { return path.empty() ? key : path + '.' + key; }
 
 std::string in_words(const Node& node) {
-  return !node ? "none" : node.kind() == Node::Kind::scalar ? text::one_line(node.text()) : flow(node);
+  return !node ? "none" : node.kind() == Node::Kind::scalar ? texts::one_line(node.text()) : flow(node);
 }
 
 // Of maps whose keys nobody declares, key by key; of all else as a whole.

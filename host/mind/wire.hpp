@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What goes into a mind and what comes out of it as bytes, for minds that live in another process: percepts and packets
-// in, an outcome out, to the last bit. See config/bytes.hpp.
+// in, an outcome out, to the last bit. See texts/bytes.hpp.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 #include "mind/command.hpp"
 #include "mind/percepts.hpp"
-#include "text/bytes.hpp"
+#include "texts/bytes.hpp"
 
 namespace regista::mind {
 
@@ -92,7 +92,7 @@ void visit(Archive& archive, Outcome& outcome) {
           outcome.context, outcome.kept, outcome.target, outcome.announced, outcome.segments, outcome.metrics);
 }
 
-inline void write_heard(text::BytesOut& bytes, std::span<const HeardPacket> heard) {
+inline void write_heard(texts::BytesOut& bytes, std::span<const HeardPacket> heard) {
   const auto count = static_cast<std::uint32_t>(heard.size());
   bytes(count);
   for (const HeardPacket& packet : heard) {
@@ -103,7 +103,7 @@ inline void write_heard(text::BytesOut& bytes, std::span<const HeardPacket> hear
 }
 
 // The packets' bytes stay where they are: `out` is valid as long as what `bytes` reads from.
-inline void read_heard(text::BytesIn& bytes, std::vector<HeardPacket>& out) {
+inline void read_heard(texts::BytesIn& bytes, std::vector<HeardPacket>& out) {
   std::uint32_t count = 0;
   bytes(count);
   out.clear();

@@ -14,7 +14,7 @@
 #include "config/named_files.hpp"
 #include "output/own_kind.hpp"
 #include "study/recording_place.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::output {
 namespace {
@@ -55,7 +55,7 @@ fs::path database_of(const fs::path& file) {
   return {};
 }
 
-std::string shown(const fs::path& file) { return text::one_line(file.string()); }
+std::string shown(const fs::path& file) { return texts::one_line(file.string()); }
 
 }  // namespace
 

@@ -26,7 +26,7 @@ struct CallAnswer {
   friend bool operator==(const CallAnswer&, const CallAnswer&) = default;
 };
 
-// As bytes between processes: see config/bytes.hpp.
+// As bytes between processes: see texts/bytes.hpp.
 template <class Archive>
 void visit(Archive& archive, CallAnswer& answer) {
   for (char& each : answer.plugin) archive(each);

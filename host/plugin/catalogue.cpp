@@ -11,7 +11,7 @@
 #include "plugin/descriptor.hpp"
 #include "plugin/shared_object.hpp"
 #include "plugin/survey.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -49,7 +49,7 @@ std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind)
 
 // `unknown assigner "gredy"; nearest: "greedy"; known: greedy, hungarian`
 std::string unknown(const std::string& id, int kind, const std::vector<std::string>& known) {
-  return text::unknown(kind_name(kind), id, "", known) + (known.empty() ? "; there is none at all" : "");
+  return texts::unknown(kind_name(kind), id, "", known) + (known.empty() ? "; there is none at all" : "");
 }
 
 std::string kinds_in_words(const Found& plugin) {
@@ -229,7 +229,7 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   const std::vector<std::string> names = names_of_kind(plugins_, kind);
   if (other != nullptr) {
     message = another_kind(*other, kind);
-    if (!names.empty()) message += "; known: " + text::join(names);
+    if (!names.empty()) message += "; known: " + texts::join(names);
   } else {
     message = unknown(use.plugin, kind, names);
   }

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <set>
 
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -53,7 +53,7 @@ std::string wrong_with_metrics(const regista_descriptor& d, std::string (*wrong_
     }
     if (each.name == nullptr) return fmt::format("metric {} has a null name", i);
     if (const std::string wrong = wrong_with_name(each.name); !wrong.empty()) {
-      return fmt::format("metric {} {}", text::in_quotes(each.name), wrong);
+      return fmt::format("metric {} {}", texts::in_quotes(each.name), wrong);
     }
     if (!seen.insert(each.name).second) return fmt::format("declares the metric \"{}\" twice", each.name);
     if (each.unit == nullptr) return fmt::format("metric \"{}\": unit is null", each.name);

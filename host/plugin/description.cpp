@@ -60,7 +60,7 @@ void Description::visit_numbers(Archive& archive) {
           assigner_flags_, purposes_, declared_.minimum_major, declared_.minimum_minor, declared_.reads);
 }
 
-void Description::write(text::BytesOut& bytes) const {
+void Description::write(texts::BytesOut& bytes) const {
   const_cast<Description*>(this)->visit_numbers(bytes);  // which only reads
   const auto put = [&bytes](const char* text) {
     const std::string copy = text_of(text);
@@ -79,7 +79,7 @@ void Description::write(text::BytesOut& bytes) const {
   }
 }
 
-Description::Description(text::BytesIn& bytes) {
+Description::Description(texts::BytesIn& bytes) {
   const auto take = [&] {
     std::string text;
     bytes(text);

@@ -13,7 +13,7 @@
 #include <regista/abi.h>
 
 #include "plugin/declared_metrics.hpp"
-#include "text/bytes.hpp"
+#include "texts/bytes.hpp"
 
 namespace regista::plugin {
 
@@ -22,11 +22,11 @@ class Description {
   // Copies a descriptor that was checked (what_is_wrong() is empty). Calls its `table`.
   explicit Description(const regista_descriptor& live);
   // From the bytes that write() made. Throws std::out_of_range for damaged ones.
-  explicit Description(text::BytesIn& bytes);
+  explicit Description(texts::BytesIn& bytes);
   Description(const Description&) = delete;
   Description& operator=(const Description&) = delete;
 
-  void write(text::BytesOut& bytes) const;
+  void write(texts::BytesOut& bytes) const;
 
   // Texts and parameters belong to this description; the calls are null.
   const regista_descriptor& declared() const { return declared_; }

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "plugin/declared_metrics.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -68,7 +68,7 @@ constexpr std::size_t longest_id = 64, longest_text = 1000;  // bytes
 std::string wrong_with_text(std::string_view text) {
   if (text.size() > longest_text) return fmt::format("is longer than {} bytes", longest_text);
   if (text.find_first_of("\r\n") != std::string_view::npos) return "is not one line";
-  if (text::visible(text) != text) return "is no plain UTF-8 text: " + text::in_quotes(text);
+  if (texts::visible(text) != text) return "is no plain UTF-8 text: " + texts::in_quotes(text);
   return {};
 }
 
@@ -76,7 +76,7 @@ std::string wrong_with_text(std::string_view text) {
 bool is_plain_value(std::string_view text) {
   std::string without_tabs(text);
   std::erase(without_tabs, '\t');
-  return text::visible_lines(without_tabs) == without_tabs;
+  return texts::visible_lines(without_tabs) == without_tabs;
 }
 
 bool is_number(std::int32_t type) { return type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER; }
@@ -150,7 +150,7 @@ std::string wrong_with_parameters(const regista_descriptor& d) {
     }
     if (p.name == nullptr) return fmt::format("parameter {} has a null name", i);
     if (const std::string wrong = wrong_with_name(p.name); !wrong.empty()) {
-      return fmt::format("parameter {} {}", text::in_quotes(p.name), wrong);
+      return fmt::format("parameter {} {}", texts::in_quotes(p.name), wrong);
     }
     if (!seen.insert(p.name).second) return fmt::format("parameter \"{}\" is declared twice", p.name);
     if (const std::string wrong = wrong_with(p); !wrong.empty()) {
@@ -169,7 +169,7 @@ std::string wrong_with_reasons(const regista_sender& sender) {
     if (sender.reasons[i] == nullptr) return fmt::format("reason {} is null", i);
     const std::string_view name = sender.reasons[i];
     if (const std::string wrong = wrong_with_name(name); !wrong.empty()) {
-      return fmt::format("reason {} {}", text::in_quotes(sender.reasons[i]), wrong);
+      return fmt::format("reason {} {}", texts::in_quotes(sender.reasons[i]), wrong);
     }
     if (!seen.insert(name).second) return fmt::format("names the reason \"{}\" twice", name);
   }
@@ -221,7 +221,7 @@ std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
     return fmt::format("descriptor {} is {} bytes; the interface needs {}", index, d.size, sizeof d);
   }
   if (d.id == nullptr) return fmt::format("descriptor {}: id is null", index);
-  const auto wrong = [&d](std::string_view what) { return fmt::format("plugin {}: {}", text::in_quotes(d.id), what); };
+  const auto wrong = [&d](std::string_view what) { return fmt::format("plugin {}: {}", texts::in_quotes(d.id), what); };
   if (const std::string what = wrong_with_name(d.id); !what.empty()) return wrong("id " + what);
   struct Text {
     const char *name, *value;

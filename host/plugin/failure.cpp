@@ -5,7 +5,7 @@
 
 #include <utility>
 
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -20,7 +20,7 @@ std::string line(const Found& plugin, const Caller* caller, const std::string& c
 }  // namespace
 
 Failure::Failure(const Found& plugin, const Caller* caller, std::string call, std::string message)
-    : std::runtime_error(text::one_line(line(plugin, caller, call, message))),
+    : std::runtime_error(texts::one_line(line(plugin, caller, call, message))),
       id_(plugin.descriptor->id),
       file_(plugin.file),
       caller_(caller == nullptr ? std::nullopt : std::optional<Caller>(*caller)),

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "plugin/descriptor.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -34,7 +34,7 @@ ParameterInfo info(const regista_parameter& p) {
       out.range = fmt::format("{}", fmt::join(p.choices, p.choices + p.choice_count, ", "));
       break;
     case REGISTA_TYPE_TEXT:
-      out.initial = text::in_quotes(p.initial_text);
+      out.initial = texts::in_quotes(p.initial_text);
       break;
     default:
       break;

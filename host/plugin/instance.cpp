@@ -8,7 +8,7 @@
 #include <exception>
 #include <stdexcept>
 
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -25,7 +25,7 @@ const regista_host host_without_radio{sizeof(regista_host),
 // What a plugin wrote, as it may be shown; it may lack its end.
 std::string said(const regista_error& error) {
   const std::string_view text(error.text, strnlen(error.text, sizeof error.text));
-  return text.empty() ? "failed without saying why" : text::visible(text);
+  return text.empty() ? "failed without saying why" : texts::visible(text);
 }
 
 constexpr std::string_view changed_its_input = "changed its input: ";
@@ -169,7 +169,7 @@ void Instance::threw(const char* name) const {
     throw;
   } catch (const std::exception& exception) {
     fail(name, fmt::format("let an exception cross the plugin's boundary: {}",
-                           text::visible_at_most(exception.what(), longest)));
+                           texts::visible_at_most(exception.what(), longest)));
   } catch (...) {
     fail(name, "let an exception cross the plugin's boundary");
   }

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -50,8 +50,8 @@ std::string Mailbox::describe(std::span<const std::uint8_t> bytes) {
   }
   const std::string_view said(text, static_cast<std::size_t>(end - text));
   if (said.find_first_of("\r\n") != std::string_view::npos) instance_->fail("describe", "the text is not one line");
-  if (text::visible(said) != said) {
-    instance_->fail("describe", "the text is no plain UTF-8: " + text::in_quotes(said));
+  if (texts::visible(said) != said) {
+    instance_->fail("describe", "the text is no plain UTF-8: " + texts::in_quotes(said));
   }
   return std::string(said);
 }

@@ -13,7 +13,7 @@
 #include "config/scalar.hpp"
 #include "plugin/content_hash.hpp"
 #include "plugin/descriptor.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -44,7 +44,7 @@ double read_choice(const Reading& reading) {
   for (std::uint32_t i = 0; i < p.choice_count; ++i) {
     if (text == p.choices[i]) return i;
   }
-  reading.wrong(text::unknown("choice", text, "", std::vector<std::string>(p.choices, p.choices + p.choice_count)));
+  reading.wrong(texts::unknown("choice", text, "", std::vector<std::string>(p.choices, p.choices + p.choice_count)));
 }
 
 std::string content(const Reading& reading, const fs::path& path) {
@@ -102,7 +102,7 @@ void check_names(const regista_descriptor& plugin, const Node& params, config::M
   for (std::uint32_t i = 0; i < plugin.parameter_count; ++i) known.emplace_back(parameter(plugin, i).name);
   for (const Node::Entry& entry : params.entries()) {
     if (std::ranges::find(known, entry.key) != known.end()) continue;
-    std::string message = text::unknown("parameter", entry.key, fmt::format("plugin {}", plugin.id), known);
+    std::string message = texts::unknown("parameter", entry.key, fmt::format("plugin {}", plugin.id), known);
     if (known.empty()) message += "; it has none";
     mistakes.add(config::Error(entry.key_where, message), "");
   }

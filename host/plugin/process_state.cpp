@@ -22,7 +22,7 @@
 #include <system_error>
 
 #include "plugin/address_ranges.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -148,7 +148,8 @@ void keep_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 std::string changes(const ProcessState& before, const ProcessState& after) {
   std::vector<std::string> out;
   if (const int more = after.threads - before.threads; more > 0) {
-    out.push_back(fmt::format("left {} running", text::counted(static_cast<std::uint64_t>(more), "thread", "threads")));
+    out.push_back(
+        fmt::format("left {} running", texts::counted(static_cast<std::uint64_t>(more), "thread", "threads")));
   }
   if (after.has_children && !before.has_children) out.push_back("left a process running");
   if (after.timers > before.timers) out.push_back("left a timer running");
@@ -165,7 +166,7 @@ std::string changes(const ProcessState& before, const ProcessState& after) {
   if (before.locale != after.locale) out.push_back("changed the locale");
   if (const auto changed = changed_variables(before, after); !changed.empty()) {
     out.push_back(changed.size() == 1
-                      ? fmt::format("changed the environment variable {}", text::in_quotes(changed.front()))
+                      ? fmt::format("changed the environment variable {}", texts::in_quotes(changed.front()))
                       : fmt::format("changed {} variables of the environment", changed.size()));
   }
   if (before.file_mode != after.file_mode) out.push_back("changed the mode of new files (umask)");

@@ -22,7 +22,7 @@
 #include "plugin/dynamic_part.hpp"
 #include "plugin/elf_file.hpp"
 #include "plugin/floating_point_state.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -130,7 +130,7 @@ bool lies_elsewhere(const void* descriptor, const void* entry) {
   return ::dladdr(descriptor, &there) != 0 && ::dladdr(entry, &here) != 0 && there.dli_fbase != here.dli_fbase;
 }
 
-SharedObject refuse(const std::string& reason) { return {{}, text::one_line(reason), {}}; }
+SharedObject refuse(const std::string& reason) { return {{}, texts::one_line(reason), {}}; }
 
 SharedObject shake_hands(decltype(&regista_plugin_entry) entry) {
   SharedObject out;

@@ -24,8 +24,8 @@
 #include "process/descendants.hpp"
 #include "process/descriptor.hpp"
 #include "process/watch.hpp"
-#include "text/bytes.hpp"
-#include "text/message.hpp"
+#include "texts/bytes.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -42,7 +42,7 @@ constexpr std::uint32_t most_bytes = 16u << 20;
 
 // --- In the child ----------------------------------------------------------------------------------------------------
 
-void put_frame(int pipe, const text::BytesOut& frame) {
+void put_frame(int pipe, const texts::BytesOut& frame) {
   const auto size = static_cast<std::uint32_t>(frame.bytes().size());
   std::array<std::uint8_t, sizeof size> head;
   std::memcpy(head.data(), &size, sizeof size);
@@ -92,7 +92,7 @@ std::string left_running(int threads_before, int mappings_before) {
 int look(std::span<const fs::path> files, std::size_t first, int pipe) {
   const int threads_before = threads();
   for (std::size_t i = first; i < files.size(); ++i) {
-    text::BytesOut frame;
+    texts::BytesOut frame;
     const auto begun = static_cast<std::uint32_t>(i);
     frame(begun);
     put_frame(pipe, frame);
@@ -197,7 +197,7 @@ class Looker {
   bool spoke_ = false, late_ = false, idle_ = false, hung_ = false, ended_by_us_ = false, killed_ = false;
 };
 
-Surveyed refused(const std::string& why) { return {{}, text::one_line(why), {}}; }
+Surveyed refused(const std::string& why) { return {{}, texts::one_line(why), {}}; }
 
 enum class Looked {
   at_all,     // nothing went wrong
@@ -216,7 +216,7 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
       const auto begun = child.frame();
       const auto told = begun ? child.frame() : std::nullopt;
       if (!told) break;
-      text::BytesIn bytes(*told);
+      texts::BytesIn bytes(*told);
       Surveyed found;
       std::uint32_t count = 0;
       bytes(index, found.refusal, found.remark, count);

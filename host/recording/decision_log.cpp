@@ -7,7 +7,7 @@
 
 #include "match/names.hpp"
 #include "match/teams.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::recording {
 namespace {

@@ -24,7 +24,7 @@
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 #include "recording/segment_record.hpp"
-#include "text/json_text.hpp"
+#include "texts/json_text.hpp"
 
 namespace regista::recording {
 
@@ -56,7 +56,7 @@ class DecisionLog {
   std::array<std::vector<std::string>, 2> role_names_;
   std::uint64_t steps_ = 0;
   SentSegments sent_;
-  text::JsonText segment_;
+  texts::JsonText segment_;
   Write write_;
 };
 

@@ -30,7 +30,7 @@ std::string colour(std::uint32_t rgba) {
   return out;
 }
 
-void write(text::JsonText& json, const mind::DrawnShape& shape, double direction) {
+void write(texts::JsonText& json, const mind::DrawnShape& shape, double direction) {
   json.open('{').key("shape").word(word(shape.shape)).key("at").open('[');
   for (const regista_point& each : shape.points) {
     json.open('[').number(direction * each.x, 2).number(direction * each.y, 2).close(']');

@@ -13,7 +13,7 @@
 
 #include "match/side.hpp"
 #include "mind/extensions/drawings.hpp"
-#include "text/json_text.hpp"
+#include "texts/json_text.hpp"
 
 namespace regista::recording {
 
@@ -41,7 +41,7 @@ class DrawnLayers {
   std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and robot (n - 1)
   std::vector<std::size_t> layer_of_;                      // of each shape of the present call
   std::vector<Change> changes_;
-  text::JsonText json_;
+  texts::JsonText json_;
 };
 
 }  // namespace regista::recording

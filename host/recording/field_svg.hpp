@@ -7,14 +7,14 @@
 #include <string_view>
 
 #include "config/rules.hpp"
-#include "text/html.hpp"
+#include "texts/html.hpp"
 
 namespace regista::recording::picture {
 
-using text::Html;
-using text::Markup;
-using text::text;
-using text::operator""_html;
+using texts::Html;
+using texts::Markup;
+using texts::text;
+using texts::operator""_html;
 
 // Numbers, and literals of our own.
 template <class... Numbers>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recording/match_page.hpp"
 
-#include "text/base64.hpp"
-#include "text/html.hpp"
+#include "texts/base64.hpp"
+#include "texts/html.hpp"
 
 namespace regista::recording {
 namespace {
@@ -18,9 +18,9 @@ std::optional<std::string> match_page(std::string_view viewer, std::string_view 
   std::string out;
   out.reserve(viewer.size() + recording.size() / 3 * 4 + 1000);
   out += viewer.substr(0, at_name);
-  out += text::text(name).str();
+  out += texts::text(name).str();
   out += viewer.substr(at_name + name_place.size(), at_recording - at_name - name_place.size());
-  text::append_base64(out, recording);
+  texts::append_base64(out, recording);
   out += viewer.substr(at_recording + recording_place.size());
   return out;
 }

@@ -14,12 +14,12 @@
 #include "recording/drawing_record.hpp"
 #include "recording/schemas.hpp"
 #include "recording/segment_record.hpp"
-#include "text/json_text.hpp"
+#include "texts/json_text.hpp"
 
 namespace regista::recording {
 namespace {
 
-using text::JsonText;
+using texts::JsonText;
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
 constexpr double belief_period = 0.5;    // s

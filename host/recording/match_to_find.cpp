@@ -8,7 +8,7 @@
 #include "mcap/error.hpp"
 #include "mcap/reader.hpp"
 #include "recording/about.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::recording {
 namespace {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "recording/moment_parts.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::recording::moment {
 namespace {

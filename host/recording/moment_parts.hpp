@@ -12,12 +12,12 @@
 
 #include "recording/field_svg.hpp"
 #include "recording/recorded_match.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::recording::moment {
 
-using text::visible;
-using text::visible_at_most;
+using texts::visible;
+using texts::visible_at_most;
 using namespace picture;
 
 // "7:42.3", as in the viewer.

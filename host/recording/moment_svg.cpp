@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "recording/moment_parts.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::recording {
 namespace {

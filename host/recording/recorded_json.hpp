@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::recording {
 

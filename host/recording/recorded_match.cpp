@@ -8,7 +8,7 @@
 #include "mcap/error.hpp"
 #include "recording/about.hpp"
 #include "recording/recorded_json.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::recording {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "mind/coordination/target.hpp"
 #include "recording/field_svg.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::recording {
 namespace {
@@ -153,13 +153,13 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
     if (several) names << labels.place(x, y, "role", fmt::format("ball {}", i + 1));
   }
   for (const Named& each : named) {
-    names << labels.place(to.x(each.at.x()), to.y(each.at.y()), "role", text::visible_at_most(each.role->name, 32));
+    names << labels.place(to.x(each.at.x()), to.y(each.at.y()), "role", texts::visible_at_most(each.role->name, 32));
   }
   Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
                    R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
                    page_width, height);
   const std::string title =
-      fmt::format("{}: roles of {}", text::visible_at_most(what.team, 40), text::visible_at_most(what.of, 60));
+      fmt::format("{}: roles of {}", texts::visible_at_most(what.team, 40), texts::visible_at_most(what.of, 60));
   out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers << names;
   return std::string(roles_svg_begin) + '\n' + (out << "</svg>\n"_html).str();
 }

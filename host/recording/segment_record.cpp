@@ -48,7 +48,7 @@ std::uint64_t SentSegments::handle(match::Side side, const mind::SegmentEvent& h
   return found != own.end() && key(*found) == wanted ? found->handle : 0;
 }
 
-void write(text::JsonText& json, const SegmentRecord& record) {
+void write(texts::JsonText& json, const SegmentRecord& record) {
   const mind::SegmentEvent& event = record.event;
   json.key("side").word(match::name(record.side)).key("robot").integer(record.robot);
   json.key("segment").word(word(event.kind));

@@ -10,7 +10,7 @@
 
 #include "match/side.hpp"
 #include "mind/world/segment_journal.hpp"
-#include "text/json_text.hpp"
+#include "texts/json_text.hpp"
 
 namespace regista::recording {
 
@@ -42,6 +42,6 @@ struct SegmentRecord {
 };
 
 // "side":"home","robot":3,"segment":"offered", ... into an object that is open: see docs/recordings.md.
-void write(text::JsonText& json, const SegmentRecord& record);
+void write(texts::JsonText& json, const SegmentRecord& record);
 
 }  // namespace regista::recording

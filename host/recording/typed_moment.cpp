@@ -10,8 +10,8 @@
 #include <system_error>
 
 #include "config/bad_input.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::recording {
 namespace {
@@ -30,7 +30,7 @@ Moment parse_moment(const std::string& typed) {
   const auto refuse = [&] {
     throw config::BadInput(
         fmt::format("--at: {}; wanted is the time since the match began, 7:42 or 462.3, or the clock of a half, 2/7:42",
-                    text::in_quotes(typed)));
+                    texts::in_quotes(typed)));
   };
   Moment out;
   out.typed = typed;
@@ -69,7 +69,7 @@ RobotName parse_robot(const std::string& typed, int team_size) {
   const auto number = number_in<int>(rest);
   if (!number || *number < 1 || *number > team_size) {
     throw config::BadInput(fmt::format("--robot: {}; wanted is 1 to {}, home/1 to home/{} or away/1 to away/{}",
-                                       text::in_quotes(typed), team_size, team_size, team_size));
+                                       texts::in_quotes(typed), team_size, team_size, team_size));
   }
   out.number = *number;
   return out;
@@ -84,17 +84,17 @@ void keep_layers(std::vector<RecordedDrawing>& drawings, const std::vector<std::
     if (std::ranges::any_of(drawings, [&](const auto& drawing) { return is_meant(drawing, name); })) continue;
     if (drawings.empty()) {
       throw config::BadInput(
-          fmt::format("--layer {}: no plugin of this robot has drawn anything by then", text::in_quotes(name)));
+          fmt::format("--layer {}: no plugin of this robot has drawn anything by then", texts::in_quotes(name)));
     }
     // Under the same kind of name as was typed, for "cells" and "voronoi: cells" are far from each other.
     constexpr std::size_t longest = 60;
     const bool with_plugin = name.find(": ") != std::string::npos;
     std::vector<std::string> known;
     for (const RecordedDrawing& drawing : drawings) {
-      const std::string each = text::visible_at_most(with_plugin ? drawing.name() : drawing.layer, longest);
+      const std::string each = texts::visible_at_most(with_plugin ? drawing.name() : drawing.layer, longest);
       if (std::ranges::find(known, each) == known.end()) known.push_back(each);
     }
-    throw config::BadInput("--layer: " + text::unknown("layer", name, "the drawings of this robot", known));
+    throw config::BadInput("--layer: " + texts::unknown("layer", name, "the drawings of this robot", known));
   }
   for (RecordedDrawing& drawing : drawings) {
     const bool kept = std::ranges::any_of(typed, [&](const std::string& name) { return is_meant(drawing, name); });

@@ -8,7 +8,7 @@
 
 #include "report/few_uneven.hpp"
 #include "report/number.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "report/elo_interval.hpp"
 #include "report/standing.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -121,7 +121,7 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   Figure out;
   out.name = "value";
   out.title =
-      goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", text::visible(test->value));
+      goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", texts::visible(test->value));
   out.description =
       fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
                   test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)));

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "config/values.hpp"
-#include "text/json.hpp"
-#include "text/visible.hpp"
+#include "texts/json.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -48,8 +48,8 @@ std::string evaluation_text(const config::PredictorStudy& study, const Evaluated
   std::string out = fmt::format(
       "Evaluated: {} ({}, version {:.8}) by {} ({}) on {}, with Regista {}\n{} detections, {} of them shown; {} "
       "starts\n\n",
-      study.predictor.plugin, text::visible(evaluated.predictor), evaluated.hash, study.name,
-      text::visible(evaluated.file), text::visible(evaluated.data), evaluated.program, evaluation.detections,
+      study.predictor.plugin, texts::visible(evaluated.predictor), evaluated.hash, study.name,
+      texts::visible(evaluated.file), texts::visible(evaluated.data), evaluated.program, evaluation.detections,
       evaluation.observations, evaluation.starts);
   out += row("seconds ahead", evaluation, [](const AtHorizon& at) { return fmt::format("{:g}", at.horizon); });
   out += "error in mm: median / 90th percentile\n";

@@ -9,8 +9,8 @@
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -37,9 +37,9 @@ std::string means_text(const ExperimentView& view, std::size_t measure, std::siz
     const study::MeanEstimate mean = view.course.mean(plan.condition(arm, value), measure);
     if (mean.pairs == 0) continue;
     means.push_back(
-        fmt::format("{} {}", text::visible(plan.asked.arms[arm].name), rounded(mean.mean, half_width(mean.interval))));
+        fmt::format("{} {}", texts::visible(plan.asked.arms[arm].name), rounded(mean.mean, half_width(mean.interval))));
   }
-  return means.empty() ? std::string("no arm has a value") : text::join(means);
+  return means.empty() ? std::string("no arm has a value") : texts::join(means);
 }
 
 // "mean difference 5.0 (95 % interval of this comparison alone: 2.0 to 8.0), 12 pairs"
@@ -50,7 +50,7 @@ std::string difference_text(const study::MeanEstimate& difference, double confid
     out += fmt::format(" ({:.4g} % interval of this comparison alone: {} to {})", 100.0 * confidence,
                        rounded(difference.interval->low, margin), rounded(difference.interval->high, margin));
   }
-  return out + ", " + text::counted(static_cast<std::uint64_t>(difference.pairs), "pair", "pairs");
+  return out + ", " + texts::counted(static_cast<std::uint64_t>(difference.pairs), "pair", "pairs");
 }
 
 std::string test_text(const study::ExperimentPlan& plan, const Finding& finding) {
@@ -70,8 +70,8 @@ std::string test_text(const study::ExperimentPlan& plan, const Finding& finding)
 // The verdict first, then the numbers.
 std::string comparison_text(const ExperimentView& view, const Finding& finding) {
   const study::ExperimentPlan& plan = view.plan;
-  const std::string first = text::visible(label(plan, finding.comparison.first));
-  const std::string second = text::visible(label(plan, finding.comparison.second));
+  const std::string first = texts::visible(label(plan, finding.comparison.first));
+  const std::string second = texts::visible(label(plan, finding.comparison.second));
   const study::MeanEstimate& difference = finding.difference;
   if (difference.pairs == 0) return fmt::format("{} and {}: no pair has both values.", first, second);
   const std::string numbers = difference_text(difference, plan.asked.confidence);
@@ -98,8 +98,8 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
   if (!measure) return {};
   std::vector<std::string> out;
   for (std::size_t value = 0; value < plan.values(); ++value) {
-    const std::string at = plan.swept() ? fmt::format(" at {}", text::visible(plan.value(value))) : std::string();
-    out.push_back(fmt::format("Means of {}, {}{}: {}.", text::visible(plan.primary()), study::unit_of(plan.primary()),
+    const std::string at = plan.swept() ? fmt::format(" at {}", texts::visible(plan.value(value))) : std::string();
+    out.push_back(fmt::format("Means of {}, {}{}: {}.", texts::visible(plan.primary()), study::unit_of(plan.primary()),
                               at, means_text(view, *measure, value)));
   }
   const std::vector<Finding> all = study::findings(plan, view.course);
@@ -113,7 +113,7 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
       "The plan fixed the test before the first match: {}, {} at {:.4g} %, two-sided, corrected by Holm.",
       plan.test() == study::PairTest::paired_t ? "Student's t test of the differences of pairs"
                                                : "sign-flip test of the differences of pairs",
-      text::counted(plan.comparisons().size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.asked.confidence)));
+      texts::counted(plan.comparisons().size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.asked.confidence)));
   return out;
 }
 

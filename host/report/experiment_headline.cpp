@@ -12,8 +12,8 @@
 #include "report/estimate_text.hpp"
 #include "report/experiment.hpp"
 #include "report/match_remarks.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -35,11 +35,11 @@ std::string in_a_row(const std::vector<std::string>& names) {
 }
 
 std::string arm_name(const study::ExperimentPlan& plan, std::size_t condition) {
-  return text::visible(plan.asked.arms[plan.conditions[condition].arm].name);
+  return texts::visible(plan.asked.arms[plan.conditions[condition].arm].name);
 }
 
 std::string value_name(const study::ExperimentPlan& plan, std::size_t condition) {
-  return text::visible(plan.value(plan.conditions[condition].value));
+  return texts::visible(plan.value(plan.conditions[condition].value));
 }
 
 // Who has more, and who less.
@@ -110,7 +110,7 @@ std::string order_sentence(const ExperimentView& view, const std::vector<std::si
   const study::ExperimentPlan& plan = view.plan;
   const bool with_means = means_agree(view, order);
   if (order.size() == 2) {
-    std::string out = fmt::format("{} has more {} than {}", arm_name(plan, order[0]), text::visible(plan.primary()),
+    std::string out = fmt::format("{} has more {} than {}", arm_name(plan, order[0]), texts::visible(plan.primary()),
                                   arm_name(plan, order[1]));
     if (with_means) {
       out += fmt::format(": {} against {} {}", mean_text(view, order[0]), mean_text(view, order[1]),
@@ -122,7 +122,7 @@ std::string order_sentence(const ExperimentView& view, const std::vector<std::si
   for (const std::size_t arm : order) {
     chain += (chain.empty() ? "" : " > ") + arm_name(plan, arm) + (with_means ? ' ' + mean_text(view, arm) : "");
   }
-  return fmt::format("{}, {}: {}. Every difference was found.", text::visible(plan.primary()),
+  return fmt::format("{}, {}: {}. Every difference was found.", texts::visible(plan.primary()),
                      study::unit_of(plan.primary()), chain);
 }
 
@@ -146,7 +146,7 @@ void add(std::vector<Clause>& clauses, const Clause& one) {
 
 Clause clause_of(const study::ExperimentPlan& plan, const Finding& found) {
   const auto [more, less] = order_of(found);
-  const auto what = text::visible(plan.primary());
+  const auto what = texts::visible(plan.primary());
   const study::Condition &high = plan.conditions[more], &low = plan.conditions[less];
   if (!plan.swept())
     return {fmt::format("{} has more {} than ", arm_name(plan, more), what), "", {arm_name(plan, less)}};
@@ -163,13 +163,13 @@ Clause clause_of(const study::ExperimentPlan& plan, const Finding& found) {
             {value_name(plan, rises ? more : less)},
             true};
   }
-  return {fmt::format("{} has more {} than ", text::visible(label(plan, more)), what),
+  return {fmt::format("{} has more {} than ", texts::visible(label(plan, more)), what),
           "",
-          {text::visible(label(plan, less))}};
+          {texts::visible(label(plan, less))}};
 }
 
 std::string sentence_of(const study::ExperimentPlan& plan, const Clause& clause) {
-  const std::string sweep = clause.of_values ? " of " + text::visible(plan.sweep()) : std::string();
+  const std::string sweep = clause.of_values ? " of " + texts::visible(plan.sweep()) : std::string();
   std::string names = in_a_row(clause.names);
   if (clause.of_values && clause.after.empty() && clause.names.size() == plan.values()) {
     names = fmt::format("each of the {} values", plan.values());
@@ -197,8 +197,8 @@ std::string found_sentences(const study::ExperimentPlan& plan, const std::vector
 }
 
 std::string between(const study::ExperimentPlan& plan, const study::Comparison& comparison) {
-  return fmt::format("{} and {}", text::visible(label(plan, comparison.first)),
-                     text::visible(label(plan, comparison.second)));
+  return fmt::format("{} and {}", texts::visible(label(plan, comparison.first)),
+                     texts::visible(label(plan, comparison.second)));
 }
 
 // Of comparisons beside others that say something else.
@@ -222,22 +222,22 @@ std::string none_found(const study::ExperimentPlan& plan, const std::vector<cons
                             : any_two        ? fmt::format("between any two of the {} arms", arms)
                                              : fmt::format("in any of {} comparisons", open.size());
   return fmt::format("No difference in {} was found {}. This does not show that there is none.",
-                     text::visible(plan.primary()), where);
+                     texts::visible(plan.primary()), where);
 }
 
 std::string of_one_condition(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   const study::MeanEstimate mean = view.course.mean(0, *study::primary_measure(plan));
-  if (mean.pairs == 0) return fmt::format("{} has no value.", text::visible(plan.primary()));
+  if (mean.pairs == 0) return fmt::format("{} has no value.", texts::visible(plan.primary()));
   return fmt::format("{} has {} {}, {}. There is no other arm to compare it with.", arm_name(plan, 0),
-                     rounded(mean.mean, half_width(mean.interval)), text::visible(plan.primary()),
+                     rounded(mean.mean, half_width(mean.interval)), texts::visible(plan.primary()),
                      study::unit_of(plan.primary()));
 }
 
 std::string rest(const study::ExperimentPlan& plan, const Sorted& of) {
   std::string out;
   const auto count = [](const std::vector<const Finding*>& some) {
-    return text::counted(some.size(), "comparison", "comparisons");
+    return texts::counted(some.size(), "comparison", "comparisons");
   };
   if (!of.prevented.empty()) {
     out += fmt::format(" No verdict in {}: pairs could not be played.", count(of.prevented));
@@ -264,7 +264,7 @@ std::string headline_of_experiment(const ExperimentView& view) {
                                        : std::string();
   if (out.empty() && of.prevented.size() == all.size()) return prevented_headline(view.course.unplayed_pairs()) + '.';
   if (out.empty() && of.untested.size() == all.size()) {
-    return fmt::format("There are too few pairs for a test of {}.", text::visible(plan.primary()));
+    return fmt::format("There are too few pairs for a test of {}.", texts::visible(plan.primary()));
   }
   out += rest(plan, of);
   return out.front() == ' ' ? out.substr(1) : out;

@@ -6,7 +6,7 @@
 #include "report/number_json.hpp"
 #include "report/packets_spent.hpp"
 #include "study/settings.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "report/experiment_figure_parts.hpp"
 #include "report/objective_axis.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -116,7 +116,7 @@ std::optional<Figure> arms_figure(const ExperimentView& view, std::size_t measur
   const std::string& path = plan.measures[measure];
   Figure out;
   out.name = fmt::format("measure_{}", measure + 1);
-  out.title = text::visible(path);
+  out.title = texts::visible(path);
   out.description = description(plan, path, "intervals");
   out.csv = "arm,mean,low,high\n";
   AxisRange range;
@@ -149,7 +149,7 @@ std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measu
   bool any = false;
   Figure out;
   out.name = fmt::format("sweep_{}", measure + 1);
-  out.title = fmt::format("{} over {}", text::visible(path), text::visible(plan.sweep()));
+  out.title = fmt::format("{} over {}", texts::visible(path), texts::visible(plan.sweep()));
   out.description = description(plan, path, numbers ? "bands" : "intervals");
   out.csv = "x," + figure_field(plan.sweep()) + names_of_arms(plan) + '\n';
   for (std::size_t value = 0; value < plan.values(); ++value) {

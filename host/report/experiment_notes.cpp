@@ -8,7 +8,7 @@
 
 #include "report/experiment.hpp"
 #include "report/number.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -24,7 +24,7 @@ std::string playing_note(const ExperimentView& view) {
     const auto each = view.course.playing_seconds_of_a_match(i);
     if (!each) continue;
     seconds.push_back(*each);
-    by_arm.push_back(fmt::format("{} {}", text::visible(label(plan, i)), minutes(*each)));
+    by_arm.push_back(fmt::format("{} {}", texts::visible(label(plan, i)), minutes(*each)));
   }
   if (seconds.empty()) return {};
   const std::string least = minutes(*std::ranges::min_element(seconds));
@@ -46,7 +46,7 @@ std::string packets_note(const ExperimentView& view) {
     ++conditions;
     if (packets.overspent()) ++overspent;
     if (plan.swept() && !packets.overspent()) continue;
-    spent.push_back(fmt::format("{} {:.4g} of {:.4g}{}", text::visible(label(plan, i)), packets.spent(),
+    spent.push_back(fmt::format("{} {:.4g} of {:.4g}{}", texts::visible(label(plan, i)), packets.spent(),
                                 packets.share(), packets.overspent() ? " (OVERSPENT)" : ""));
   }
   if (conditions == 0) return {};
@@ -67,7 +67,7 @@ std::string opponent_note(const study::ExperimentPlan& plan) {
   std::vector<std::string> paths;
   const auto add = [&](std::string_view path) {
     if (!of_both_teams(path)) return;
-    const std::string shown = text::visible(path);
+    const std::string shown = texts::visible(path);
     if (std::ranges::find(paths, shown) == paths.end()) paths.push_back(shown);
   };
   add(plan.sweep());

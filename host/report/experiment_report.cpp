@@ -13,7 +13,7 @@
 #include "report/fingerprint.hpp"
 #include "report/tournament.hpp"
 #include "study/experiment.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -89,7 +89,7 @@ std::vector<std::string> ExperimentReport::notes() const {
   for (const study::Comparison& each : plan_.comparisons()) {
     if (!study::equal_conditions(plan_, each)) continue;
     out.push_back(fmt::format("A/A: {} and {} are equal, so they do not differ by construction",
-                              text::one_line(label(plan_, each.first)), text::one_line(label(plan_, each.second))));
+                              texts::one_line(label(plan_, each.first)), texts::one_line(label(plan_, each.second))));
   }
   return out;
 }
@@ -101,9 +101,9 @@ std::string ExperimentReport::match(const study::Round& /*round*/, std::uint64_t
       plan_.openings.empty() ? "" : ", " + std::filesystem::path(plan_.openings[trial.opening].file).stem().string();
   const std::string arm = label(plan_, trial.condition);
   std::string out =
-      fmt::format("seed {}{}: {} {} {}:{}", trial.seed, scene, text::one_line(arm),
+      fmt::format("seed {}{}: {} {} {}:{}", trial.seed, scene, texts::one_line(arm),
                   trial.side == 0 ? "at home" : "away", decided.score[trial.side], decided.score[1 - trial.side]);
-  if (decided.set_aside()) out += ", could not be played: " + text::one_line(decided.why_set_aside);
+  if (decided.set_aside()) out += ", could not be played: " + texts::one_line(decided.why_set_aside);
   if (decided.failure) {
     const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
     out += ", " + forfeit_text(own ? arm : "the opponent", *decided.failure);

@@ -14,8 +14,8 @@
 #include "report/text_table.hpp"
 #include "report/tournament.hpp"
 #include "study/settings.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -31,7 +31,7 @@ std::string arms_table(const ExperimentView& view, const std::vector<std::size_t
   const study::ExperimentPlan& plan = view.plan;
   TextTable table;
   std::vector<std::string> head{"measure"};
-  for (const config::Experiment::Arm& arm : plan.asked.arms) head.push_back(text::visible(arm.name));
+  for (const config::Experiment::Arm& arm : plan.asked.arms) head.push_back(texts::visible(arm.name));
   table.row(head);
   for (const std::size_t measure : measures) {
     std::vector<std::string> cells{with_unit(plan.measures[measure])};
@@ -47,11 +47,11 @@ std::string arms_table(const ExperimentView& view, const std::vector<std::size_t
 std::string sweep_table(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   TextTable table;
-  std::vector<std::string> head{text::visible(plan.sweep())};
-  for (const config::Experiment::Arm& arm : plan.asked.arms) head.push_back(text::visible(arm.name));
+  std::vector<std::string> head{texts::visible(plan.sweep())};
+  for (const config::Experiment::Arm& arm : plan.asked.arms) head.push_back(texts::visible(arm.name));
   table.row(head);
   for (std::size_t value = 0; value < plan.values(); ++value) {
-    std::vector<std::string> cells{text::visible(plan.value(value))};
+    std::vector<std::string> cells{texts::visible(plan.value(value))};
     for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
       cells.push_back(estimate_text(view.course.mean(plan.condition(arm, value), measure)));
     }
@@ -76,7 +76,7 @@ std::string differences_table(const ExperimentView& view) {
   std::vector<std::string> head{"measure"};
   for (const study::Comparison& each : plan.comparisons()) {
     head.push_back(
-        fmt::format("{} less {}", text::visible(label(plan, each.first)), text::visible(label(plan, each.second))));
+        fmt::format("{} less {}", texts::visible(label(plan, each.first)), texts::visible(label(plan, each.second))));
   }
   table.row(head);
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
@@ -99,12 +99,12 @@ std::string failures_text(const ExperimentView& view) {
   const study::ForfeitList& forfeits = view.course.forfeits();
   for (const study::Forfeits& each : forfeits.listed()) {
     const bool opponent = each.team == view.plan.conditions.size();
-    out += fmt::format("{} {}; the first again: {}\n", text::counted(each.count, "match", "matches"),
+    out += fmt::format("{} {}; the first again: {}\n", texts::counted(each.count, "match", "matches"),
                        forfeit_text(opponent ? std::string("the opponent") : label(view.plan, each.team), each.failure),
                        view.again(each.first_match));
   }
   if (forfeits.unlisted() > 0) {
-    out += text::counted(forfeits.unlisted(), "more was", "more were") + " forfeited for other reasons\n";
+    out += texts::counted(forfeits.unlisted(), "more was", "more were") + " forfeited for other reasons\n";
   }
   if (!out.empty()) out = "\nForfeits, whose pairs are left out of every number:\n" + out;
   return out;
@@ -115,7 +115,7 @@ std::string left_out_text(const ExperimentView& view) {
   std::string out = "\nPairs that could not be played, left out of every number; no team can be blamed:\n";
   for (std::size_t i = 0; i < view.plan.conditions.size(); ++i) {
     const std::uint64_t pairs = view.course.unplayed_pairs(i);
-    if (pairs > 0) out += fmt::format("{} of {}\n", pairs_in_words(pairs), text::visible(label(view.plan, i)));
+    if (pairs > 0) out += fmt::format("{} of {}\n", pairs_in_words(pairs), texts::visible(label(view.plan, i)));
   }
   return out + unplayed_text(view.course.remarks());
 }
@@ -128,7 +128,7 @@ std::string pairs_text(const ExperimentView& view) {
       std::ranges::any_of(plan.measures, [](const auto& each) { return study::is_time(each); })
           ? ", times in minutes of 60 minutes of play"
           : "",
-      100.0 * plan.asked.confidence, text::counted(pairs, "pair", "pairs"));
+      100.0 * plan.asked.confidence, texts::counted(pairs, "pair", "pairs"));
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
                   profile_of(first.common_inputs, "away disturbance", plan.asked.opponent_disturbance)));
   out.set = study::as_typed(study::settings_of(plan.asked.settings.set, "set"));
   out.amount = fmt::format(
-      "{} against the opponent of each arm{}, seeds from {}", text::counted(plan.pairs, "pair", "pairs"),
+      "{} against the opponent of each arm{}, seeds from {}", texts::counted(plan.pairs, "pair", "pairs"),
       plan.swept() ? fmt::format(" at each of {} values of {}", plan.values(), plan.sweep()) : std::string(),
       plan.first_seed());
   for (const study::Condition& each : plan.conditions) {
@@ -168,12 +168,12 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
 std::string experiment_title(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::string out =
-      fmt::format("{}: {}", text::visible(plan.asked.name), text::counted(plan.asked.arms.size(), "arm", "arms"));
-  if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values(), text::visible(plan.sweep()));
+      fmt::format("{}: {}", texts::visible(plan.asked.name), texts::counted(plan.asked.arms.size(), "arm", "arms"));
+  if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values(), texts::visible(plan.sweep()));
   out += fmt::format(" against {}, {} matches each",
-                     text::visible(std::filesystem::path(plan.asked.opponent).stem().string()), 2 * plan.pairs);
+                     texts::visible(std::filesystem::path(plan.asked.opponent).stem().string()), 2 * plan.pairs);
   if (!plan.openings.empty()) {
-    out += " from " + text::counted(plan.openings.size(), "opening", "openings");
+    out += " from " + texts::counted(plan.openings.size(), "opening", "openings");
   }
   return out;
 }
@@ -193,7 +193,7 @@ std::string experiment_standing(const ExperimentView& view) {
 std::string experiment_text(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::string out = doubts_text(view.course.remarks()) + experiment_title(view) + '\n';
-  if (!plan.asked.question.empty()) out += text::visible(plan.asked.question) + '\n';
+  if (!plan.asked.question.empty()) out += texts::visible(plan.asked.question) + '\n';
   out += played_text(what_was_played(plan));
   out += '\n' + experiment_headline(view) + "\n\n" + pairs_text(view) + '\n';
   if (plan.swept()) {

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "statistics/rating.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -50,7 +50,7 @@ std::string what_the_test_rests_on(const statistics::ScoreLaw& law) {
   if (law.uneven() == 0) return all_of(law) + " even: the test takes this for equal strength.";
   if (law.uneven() >= statistics::fewest_uneven) return "";
   return fmt::format("The test rests on {} of {} that {} uneven.", law.uneven(),
-                     text::counted(units_of(law), words_of(law).one, words_of(law).more),
+                     texts::counted(units_of(law), words_of(law).one, words_of(law).more),
                      law.uneven() == 1 ? "was" : "were");
 }
 

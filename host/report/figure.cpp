@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "report/csv_text.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -29,7 +29,7 @@ std::string terminal(const Figure& figure, Picture picture) {
 
 std::string gnuplot_text(std::string_view text) {
   std::string out = "'";
-  const std::string shown = text::visible_at_most(text, longest_text);
+  const std::string shown = texts::visible_at_most(text, longest_text);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     // Nothing is special within these quotes but their like. Two of them should mean one, but at the beginning of a
     // string gnuplot 5.4 takes them for its end; so there is none: it is drawn as U+2019.
@@ -51,7 +51,7 @@ std::string gnuplot_mark(std::string_view text) {
 
 std::string figure_field(std::string_view text) {
   std::string out;
-  for (const char c : text::visible(text)) out += c == '"' ? std::string("\u201d") : std::string(1, c);
+  for (const char c : texts::visible(text)) out += c == '"' ? std::string("\u201d") : std::string(1, c);
   return csv_field(out);
 }
 

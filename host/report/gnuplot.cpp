@@ -13,7 +13,7 @@
 #include "config/file.hpp"
 #include "process/program.hpp"
 #include "process/temporary_folder.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -48,7 +48,7 @@ std::string last_line(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \t\r\n^");
   if (end == std::string::npos) return "it does not say why";
   const std::size_t before = text.rfind('\n', end), begin = before == std::string::npos ? 0 : before + 1;
-  return text::visible_at_most(text.substr(begin, end + 1 - begin), 200);
+  return texts::visible_at_most(text.substr(begin, end + 1 - begin), 200);
 }
 
 // Into the named file of the folder. Empty: done.
@@ -86,7 +86,7 @@ Drawing draw(Figure figure, Png png) {
   try {
     draw_into(out, png);
   } catch (const std::system_error& error) {
-    out.why_not = text::visible(error.what());
+    out.why_not = texts::visible(error.what());
   }
   return out;
 }

@@ -2,17 +2,17 @@
 // HTML and texts from files, as pages show them.
 #pragma once
 
-#include "text/html.hpp"
+#include "texts/html.hpp"
 
 namespace regista::report {
 
-using text::data_address;
-using text::Html;
-using text::lines;
-using text::Markup;
-using text::name;
-using text::path_address;
-using text::text;
-using text::operator""_html;
+using texts::data_address;
+using texts::Html;
+using texts::lines;
+using texts::Markup;
+using texts::name;
+using texts::path_address;
+using texts::text;
+using texts::operator""_html;
 
 }  // namespace regista::report

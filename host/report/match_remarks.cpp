@@ -9,16 +9,16 @@
 
 #include "report/html_table.hpp"
 #include "report/page_parts.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string matches_in_words(std::uint64_t count) { return text::counted(count, "match", "matches"); }
+std::string matches_in_words(std::uint64_t count) { return texts::counted(count, "match", "matches"); }
 
 std::string written_sentence(const study::MatchRemarks& remarks) {
   const std::uint64_t first = remarks.written().front() + 1;
@@ -29,7 +29,7 @@ std::string written_sentence(const study::MatchRemarks& remarks) {
 
 std::string kept_sentence(const study::MatchRemarks& remarks) {
   const study::MatchRemark& first = remarks.kept().listed().front();
-  return fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, text::visible(first.text));
+  return fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, texts::visible(first.text));
 }
 
 Json listed(const study::RemarkList& list) {
@@ -52,7 +52,7 @@ std::array<Doubt, 4> doubts_of(const study::MatchRemarks& remarks) {
 
 }  // namespace
 
-std::string pairs_in_words(std::uint64_t count) { return text::counted(count, "pair", "pairs"); }
+std::string pairs_in_words(std::uint64_t count) { return texts::counted(count, "pair", "pairs"); }
 
 std::string prevented_headline(std::uint64_t pairs) {
   return fmt::format("No verdict: {} could not be played", pairs_in_words(pairs));
@@ -75,7 +75,7 @@ std::string doubts_text(const study::MatchRemarks& remarks) {
   std::string out;
   for (const Doubt& doubt : doubts_of(remarks)) {
     for (const study::MatchRemark& each : doubt.list.listed())
-      out += fmt::format("{}: match {}: {}\n", doubt.words, each.match + 1, text::visible(each.text));
+      out += fmt::format("{}: match {}: {}\n", doubt.words, each.match + 1, texts::visible(each.text));
     if (doubt.list.unlisted() > 0)
       out += fmt::format("{}: {} more\n", doubt.words, matches_in_words(doubt.list.unlisted()));
   }
@@ -86,7 +86,7 @@ std::string unplayed_text(const study::MatchRemarks& remarks) {
   std::string out;
   const study::RemarkList& list = remarks.unplayed();
   for (const study::MatchRemark& each : list.listed()) {
-    out += fmt::format("  match {}: {}\n", each.match + 1, text::visible(each.text));
+    out += fmt::format("  match {}: {}\n", each.match + 1, texts::visible(each.text));
   }
   if (list.unlisted() > 0) out += fmt::format("  and {} more\n", matches_in_words(list.unlisted()));
   return out;
@@ -142,7 +142,7 @@ Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
   }
   Html out = "<p>"_html;
   out << text(fmt::format("{} left out of every number, with both matches.",
-                          text::counted(pairs, "pair is", "pairs are")))
+                          texts::counted(pairs, "pair is", "pairs are")))
       << "</p>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
   if (list.unlisted() > 0) {
     out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(list.unlisted()))) << "</p>\n"_html;

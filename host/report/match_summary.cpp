@@ -8,7 +8,7 @@
 #include "match/names.hpp"
 #include "report/match_summary.hpp"
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 

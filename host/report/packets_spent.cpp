@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 

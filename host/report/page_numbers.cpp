@@ -12,7 +12,7 @@
 #include "report/packets_spent.hpp"
 #include "report/page_sections.hpp"
 #include "report/role_names.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -166,7 +166,7 @@ Html goals_of_several(const PageSource& source) {
       const std::uint64_t matches = counts.played[at] + counts.forfeited[at];
       columns[static_cast<std::size_t>(std::clamp(difference, -shown, shown) + shown)] += matches;
       all += matches;
-      csv += fmt::format("{},{},{},{}\n", csv_field(text::visible(source.view.plan.teams[team].label)), difference,
+      csv += fmt::format("{},{},{},{}\n", csv_field(texts::visible(source.view.plan.teams[team].label)), difference,
                          counts.played[at], counts.forfeited[at]);
     }
     if (team >= most_teams) continue;

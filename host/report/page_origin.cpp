@@ -6,7 +6,7 @@
 
 #include "report/html_table.hpp"
 #include "report/page_sections.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 Html failures_section(const PageSource& source) {
@@ -27,7 +27,7 @@ Html failures_section(const PageSource& source) {
   out << table.html() << "</div>\n"_html;
   if (course.unlisted_forfeits() > 0) {
     out << "<p>"_html
-        << text(text::counted(course.unlisted_forfeits(), "more match was", "more matches were") +
+        << text(texts::counted(course.unlisted_forfeits(), "more match was", "more matches were") +
                 " forfeited for other reasons.")
         << "</p>\n"_html;
   }
@@ -67,7 +67,7 @@ Html recordings_section(const PageSource& source) {
     out << "<p class=\"note\">"_html << text(line) << "</p>\n"_html;
   };
   if (found.not_read > 0) {
-    note(fmt::format("{} not read.", text::counted(found.not_read, "more file", "more files")));
+    note(fmt::format("{} not read.", texts::counted(found.not_read, "more file", "more files")));
   }
   return section("recordings", "Recorded matches"_html, out);
 }

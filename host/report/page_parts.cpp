@@ -12,7 +12,7 @@
 #include "report/configuration_difference.hpp"
 #include "report/html_table.hpp"
 #include "report/page_style.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -72,8 +72,8 @@ Html differences_table(std::span<const std::string> names, const std::vector<Dif
     table.row(cells);
   }
   Html out = rows.size() > most_open ? "<details><summary>"_html : "<details open><summary>"_html;
-  out << text(text::counted(rows.size(), "value differs", "values differ")) << "</summary>\n<div class=\"values\">"_html
-      << table.html() << "</div>\n"_html;
+  out << text(texts::counted(rows.size(), "value differs", "values differ"))
+      << "</summary>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
   if (rows.size() > most_rows) {
     out << text(fmt::format("{} more values are not listed.", rows.size() - most_rows));
   }
@@ -103,7 +103,7 @@ Html section(std::string_view id, Markup title, const Html& content) {
 
 Html table_link(std::string_view file_name, std::string_view csv) {
   Html out = "<a class=\"take\" download=\""_html;
-  return out << text(file_name) << "\" href=\""_html << data_address("text/csv", csv) << "\">data as CSV</a>"_html;
+  return out << text(file_name) << "\" href=\""_html << data_address("texts/csv", csv) << "\">data as CSV</a>"_html;
 }
 
 Html figure(std::span<const PageFigure> figures, std::string_view figure_name) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "plugin/found.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 

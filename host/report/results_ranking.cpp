@@ -8,8 +8,8 @@
 #include "report/few_uneven.hpp"
 #include "report/number.hpp"
 #include "statistics/bradley_terry.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -59,16 +59,16 @@ RankedResults ranked(const study::ResultsOfTeams& results) {
 
 std::string ranking_text(const RankedResults& ranking) {
   std::size_t widest = 4;
-  for (const Team& each : ranking.teams) widest = std::max(widest, text::one_line(each.name).size());
-  std::string out = fmt::format("Ranking of {} by {}", text::counted(ranking.teams.size(), "team", "teams"),
-                                text::counted(unsigned_count(ranking.games), "game", "games"));
-  if (ranking.pairs > 0) out += fmt::format(", {}", text::counted(unsigned_count(ranking.pairs), "pair", "pairs"));
+  for (const Team& each : ranking.teams) widest = std::max(widest, texts::one_line(each.name).size());
+  std::string out = fmt::format("Ranking of {} by {}", texts::counted(ranking.teams.size(), "team", "teams"),
+                                texts::counted(unsigned_count(ranking.games), "game", "games"));
+  if (ranking.pairs > 0) out += fmt::format(", {}", texts::counted(unsigned_count(ranking.pairs), "pair", "pairs"));
   out += fmt::format(":\n{:>4}  {:{}}  {:>16}  {:>10}  {:>11}  {:>7}\n", "rank", "team", widest, "Elo", "games",
                      "points", "share");
   int rank = 0;
   bool without = false;
   for (const Team& each : ranking.teams) {
-    out += fmt::format("{:>4}  {:{}}  {:>16}  {:>10}  {:>11.1f}  {:>5.1f} %\n", ++rank, text::one_line(each.name),
+    out += fmt::format("{:>4}  {:{}}  {:>16}  {:>10}  {:>11.1f}  {:>5.1f} %\n", ++rank, texts::one_line(each.name),
                        widest, elo_text(each), each.games, each.points, 100.0 * share(each));
     without = without || (each.elo && !each.elo->interval.bounded());
   }

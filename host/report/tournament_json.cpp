@@ -5,7 +5,7 @@
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

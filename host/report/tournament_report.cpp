@@ -19,7 +19,7 @@
 #include "report/verdict_sentence.hpp"
 #include "study/recording_place.hpp"
 #include "study/tournament.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -59,7 +59,7 @@ class TournamentReport final : public StudyReport {
     for (const study::Entrant& each : plan_.teams) out.push_back(each.label);
     return out;
   }
-  std::string headline() const override { return text::plain(verdict_sentence(view()).sentence); }
+  std::string headline() const override { return texts::plain(verdict_sentence(view()).sentence); }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return fmt::format("{}\n{}", title(), standing_text(view())); }
@@ -122,7 +122,7 @@ std::string TournamentReport::match(const study::Round& /*round*/, std::uint64_t
       plan_.openings.empty() ? "" : ", " + fs::path(plan_.openings[fixture.opening].file).stem().string();
   std::string line = fmt::format("seed {}{}: {} {}:{} {}", fixture.seed, scene, plan_.teams[fixture.home].label,
                                  decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
-  if (decided.set_aside()) line += ", could not be played: " + text::one_line(decided.why_set_aside);
+  if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
   if (decided.failure) {
     const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
     line += ", " + forfeit_text(plan_.teams[loser].label, *decided.failure);

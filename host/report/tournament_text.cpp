@@ -18,8 +18,8 @@
 #include "report/tournament.hpp"
 #include "report/verdict_sentence.hpp"
 #include "statistics/sequential_bounds.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -52,7 +52,7 @@ std::string metric_text(const TournamentView& view, const Meeting& meeting, cons
                      view.label(meeting.pairing.first), less, equal, more, metric.test().p());
   if (meeting.pairs_without_metric > 0) {
     out += fmt::format("{} without it: a match was forfeited, or has no such number\n",
-                       text::counted(meeting.pairs_without_metric, "pair", "pairs"));
+                       texts::counted(meeting.pairs_without_metric, "pair", "pairs"));
   }
   return out;
 }
@@ -185,7 +185,7 @@ std::string verdict_text(const TournamentView& view) {
   if (verdict == study::Verdict::none) return "";
   const statistics::Count pairs = total(view.course.meetings().front().pairs);
   std::string out = fmt::format("Verdict after {}: {}",
-                                text::counted(static_cast<std::uint64_t>(pairs), "pair", "pairs"), name(verdict));
+                                texts::counted(static_cast<std::uint64_t>(pairs), "pair", "pairs"), name(verdict));
   if (verdict == study::Verdict::inconclusive) return out + '\n';
   const study::Objective objective = view.plan.objective();
   const auto* const score = std::get_if<study::ScoreTest>(&objective);
@@ -201,11 +201,11 @@ std::string failures_text(const TournamentView& view) {
                        each.pair + 1, plugin_text(each.plugin, view.label(each.team)), each.failures);
   }
   for (const study::Forfeits& each : view.course.forfeits()) {
-    out += fmt::format("{} {}\n  the first again: {}\n", text::counted(each.count, "match", "matches"),
+    out += fmt::format("{} {}\n  the first again: {}\n", texts::counted(each.count, "match", "matches"),
                        forfeit_text(view.label(each.team), each.failure), view.again(each.first_match));
   }
   if (const std::uint64_t more = view.course.unlisted_forfeits(); more > 0) {
-    out += text::counted(more, "more match", "more matches") + " forfeited for other reasons\n";
+    out += texts::counted(more, "more match", "more matches") + " forfeited for other reasons\n";
   }
   return out.empty() ? "" : '\n' + out;
 }
@@ -214,7 +214,7 @@ std::string failures_text(const TournamentView& view) {
 std::string openings_text(const study::TournamentPlan& plan, std::size_t all) {
   const bool in_order = std::holds_alternative<study::FixedNumber>(plan.objective());
   if (in_order && plan.pairs() < all) return fmt::format("the first {} of {} openings", plan.pairs(), all);
-  return text::counted(all, "opening", "openings");
+  return texts::counted(all, "opening", "openings");
 }
 
 }  // namespace
@@ -242,7 +242,7 @@ std::string plugin_text(const std::string& plugin, const std::string& team) {
 std::string forfeit_text(const std::string& label, const campaign::Failure& failure) {
   std::string out = fmt::format("forfeited by {}: {}", label, plugin_text(failure.plugin, label));
   if (!failure.call.empty()) out += ", " + failure.call;
-  return text::one_line(out + ": " + failure.what);
+  return texts::one_line(out + ": " + failure.what);
 }
 
 WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
@@ -265,7 +265,7 @@ WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
   }
   const bool one = plan.pairings().size() == 1;
   out.amount = fmt::format("{}{}{}, seeds from {}", plan.asked.pairs ? "" : "a test decides, at most ",
-                           text::counted(plan.pairs(), "pair", "pairs"),
+                           texts::counted(plan.pairs(), "pair", "pairs"),
                            one ? std::string() : fmt::format(" of each of {} pairings", plan.pairings().size()),
                            plan.first_seed());
   out.program = plan.program;
@@ -284,7 +284,7 @@ std::string title(const TournamentView& view) {
                         view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round robin");
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // whoever was set aside on the way
-  std::string out = fmt::format("{} ({}", who, text::counted(played, "pair", "pairs"));
+  std::string out = fmt::format("{} ({}", who, texts::counted(played, "pair", "pairs"));
   if (played < view.plan.pairs()) out += fmt::format(" of {}", view.plan.pairs());
   if (pairings > 1) out += " each";
   out += fmt::format(", seeds from {}", view.plan.first_seed());
@@ -302,7 +302,7 @@ std::string standing_text(const TournamentView& view) {
 std::string tournament_text(const TournamentView& view) {
   std::string out = doubts_text(view.course.remarks());
   if (!view.plan.asked.question.empty())
-    out += fmt::format("{}: {}\n", text::visible(view.plan.asked.name), text::visible(view.plan.asked.question));
+    out += fmt::format("{}: {}\n", texts::visible(view.plan.asked.name), texts::visible(view.plan.asked.question));
   out += fmt::format("Results of {}:\n", title(view));
   out += played_text(what_was_played(view.plan));
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {
@@ -319,7 +319,7 @@ std::string tournament_text(const TournamentView& view) {
     out += unplayed_sentence(unplayed) + '\n' + unplayed_text(view.course.remarks());
   }
   out += verdict_text(view) + failures_text(view) + notes_text(view.course.remarks());
-  return out + '\n' + text::plain(verdict_sentence(view).sentence) + '\n';
+  return out + '\n' + texts::plain(verdict_sentence(view).sentence) + '\n';
 }
 
 }  // namespace regista::report

@@ -12,7 +12,7 @@
 #include "report/number.hpp"
 #include "report/tuning_problem.hpp"
 #include "study/tuning/tuned_team.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -47,16 +47,16 @@ std::string header(const study::TuningPlan& plan, const study::TuningRecord& rec
                    const std::string& fingerprint) {
   std::vector<std::string> opponents;
   for (const study::TuningOpponent& each : plan.opponents) {
-    opponents.push_back(fmt::format("{} ({:.3g})", text::one_line(each.file), each.weight));
+    opponents.push_back(fmt::format("{} ({:.3g})", texts::one_line(each.file), each.weight));
   }
   return fmt::format(
       "{} {} from {}; {}\n"
       "# Objective: {} {}, against {}\n"
       "# Search: {}, {} points, seed {}; results of all matches: {}\n"
       "# Begun in {}; to play it again: regista report RESULTS.db --study FOLDER\n",
-      tuned_file_begin, program, text::one_line(plan.asked.team), verdict(plan, record),
+      tuned_file_begin, program, texts::one_line(plan.asked.team), verdict(plan, record),
       plan.objective.minimise ? "minimise" : "maximise", study::in_words(plan.objective), fmt::join(opponents, ", "),
-      study::name(plan.algorithm()), record.trace.size(), plan.seed(), fingerprint, text::one_line(plan.folder));
+      study::name(plan.algorithm()), record.trace.size(), plan.seed(), fingerprint, texts::one_line(plan.folder));
 }
 
 // The base team's file as the new one is to name it.

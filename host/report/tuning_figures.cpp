@@ -13,7 +13,7 @@
 #include "report/objective_axis.hpp"
 #include "report/thinned.hpp"
 #include "report/tuning_sentences.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -191,7 +191,7 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   const study::TuningObjective& objective = view.plan.objective;
   Figure out;
   out.name = fmt::format("{}{}", slice_prefix, number);
-  out.title = text::visible(parameter.path);
+  out.title = texts::visible(parameter.path);
   out.description = fmt::format(
       "The objective over this parameter alone, all others as in finalist {}. Whiskers: intervals of {:.4g} %. "
       "Triangle: the point that was found. Dashed: the base team's value. {}{}.",

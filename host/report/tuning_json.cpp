@@ -5,7 +5,7 @@
 #include "report/packets_spent.hpp"
 #include "report/tuning_json_parts.hpp"
 #include "report/tuning_sentences.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

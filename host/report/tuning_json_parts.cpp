@@ -5,7 +5,7 @@
 #include "report/objective_numbers.hpp"
 #include "report/tuning_problem.hpp"
 #include "study/measure.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 

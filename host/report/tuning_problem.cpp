@@ -11,15 +11,15 @@
 #include "report/objective_numbers.hpp"
 #include "report/tournament.hpp"
 #include "study/tuning/tuning_setup.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
 
 // To the nearest name of a file that people say.
 std::string file_name(const std::string& path) {
-  return text::visible(std::filesystem::path(path).filename().string());
+  return texts::visible(std::filesystem::path(path).filename().string());
 }
 
 bool is_base(const study::TuningPlan& plan, const study::TuningOpponent& opponent) {
@@ -31,21 +31,21 @@ std::string opponents_text(const study::TuningPlan& plan) {
   std::vector<std::string> out;
   for (const study::TuningOpponent& each : plan.opponents) {
     out.push_back(plan.opponents.size() == 1
-                      ? text::visible(each.label)
-                      : fmt::format("{} ({:.4g} %)", text::visible(each.label), 100.0 * each.weight));
+                      ? texts::visible(each.label)
+                      : fmt::format("{} ({:.4g} %)", texts::visible(each.label), 100.0 * each.weight));
   }
   return fmt::format("{}", fmt::join(out, ", "));
 }
 
 std::string base_sentence(const study::TuningPlan& plan) {
-  std::string out = fmt::format("Base team: {}", text::visible(plan.asked.team));
+  std::string out = fmt::format("Base team: {}", texts::visible(plan.asked.team));
   for (std::size_t i = 0; i < plan.settings.size(); ++i) {
-    out += fmt::format("{}{}", i == 0 ? " with " : ", ", text::visible(plan.settings[i]));
+    out += fmt::format("{}{}", i == 0 ? " with " : ", ", texts::visible(plan.settings[i]));
   }
   out += fmt::format(". {}: {}", plan.opponents.size() == 1 ? "Opponent" : "Opponents, with their weights",
                      opponents_text(plan));
   for (const study::TuningOpponent& each : plan.opponents) {
-    if (is_base(plan, each)) out += fmt::format("; {} is the base team itself", text::visible(each.label));
+    if (is_base(plan, each)) out += fmt::format("; {} is the base team itself", texts::visible(each.label));
   }
   return out + ".";
 }
@@ -68,14 +68,14 @@ std::string team_of(const campaign::Job& job, std::size_t side) {
 std::string pairs_text(std::uint64_t count) { return counted(count, "pair", "pairs"); }
 
 std::string problem_title(const study::TuningPlan& plan) {
-  return fmt::format("{}: {} of {}, {} as {} as possible", text::visible(plan.asked.name),
+  return fmt::format("{}: {} of {}, {} as {} as possible", texts::visible(plan.asked.name),
                      counted(plan.free_parameters(), "parameter", "parameters"), file_name(plan.asked.team),
-                     text::visible(in_words(plan.objective)), plan.objective.minimise ? "small" : "large");
+                     texts::visible(in_words(plan.objective)), plan.objective.minimise ? "small" : "large");
 }
 
 std::string objective_text(const study::TuningObjective& objective) {
   const std::string unit = unit_of(objective);
-  return text::visible(in_words(objective)) + (unit.empty() ? std::string() : fmt::format(" ({})", unit));
+  return texts::visible(in_words(objective)) + (unit.empty() ? std::string() : fmt::format(" ({})", unit));
 }
 
 std::vector<std::string> problem_sentences(const study::TuningPlan& plan) {
@@ -87,7 +87,7 @@ std::vector<std::string> problem_sentences(const study::TuningPlan& plan) {
 
 std::vector<std::string> problem_notes(const study::TuningPlan& plan) {
   std::vector<std::string> out;
-  for (const std::string& each : study::notes_on(plan)) out.push_back("note: " + text::one_line(each));
+  for (const std::string& each : study::notes_on(plan)) out.push_back("note: " + texts::one_line(each));
   return out;
 }
 
@@ -99,7 +99,7 @@ std::string scale_text(const study::Parameter& parameter) {
 bool has_unit(const study::Parameter& parameter) { return !parameter.unit.empty() && parameter.unit != "1"; }
 
 std::string range_text(const study::Parameter& parameter) {
-  const std::string unit = has_unit(parameter) ? fmt::format(" {}", text::visible(parameter.unit)) : std::string();
+  const std::string unit = has_unit(parameter) ? fmt::format(" {}", texts::visible(parameter.unit)) : std::string();
   if (parameter.fixed()) return fmt::format("fixed at {}{}", text_of(parameter, parameter.least), unit);
   return fmt::format("{} to {}{}", text_of(parameter, parameter.least), text_of(parameter, parameter.most), unit);
 }
@@ -108,7 +108,8 @@ std::string values_text(const study::TuningPlan& plan, const study::ParameterVal
   std::vector<std::string> out;
   for (std::size_t i = 0; i < plan.parameters.size(); ++i) {
     if (plan.parameters[i].fixed()) continue;
-    out.push_back(fmt::format("{}={}", text::visible(plan.parameters[i].path), text_of(plan.parameters[i], values[i])));
+    out.push_back(
+        fmt::format("{}={}", texts::visible(plan.parameters[i].path), text_of(plan.parameters[i], values[i])));
   }
   return fmt::format("{}", fmt::join(out, ", "));
 }
@@ -126,7 +127,7 @@ std::string match_text(const std::string& stage, const campaign::Job& job, const
     const auto side = static_cast<std::size_t>(decided.failure->side);
     out += ", " + forfeit_text(team_of(job, side), *decided.failure);
   }
-  return text::one_line(out);
+  return texts::one_line(out);
 }
 
 WhatWasPlayed what_was_played(const study::TuningPlan& plan) {

@@ -11,11 +11,11 @@
 #include "campaign/job.hpp"
 #include "report/what_was_played.hpp"
 #include "study/tuning/tuning_plan.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 
-using text::counted;                          // "1 run", "2 runs"
+using texts::counted;                         // "1 run", "2 runs"
 std::string pairs_text(std::uint64_t count);  // "1 pair"
 
 WhatWasPlayed what_was_played(const study::TuningPlan& plan);

@@ -12,7 +12,7 @@
 #include "report/number.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -50,7 +50,7 @@ std::string interval_words(const study::TuningPlan& plan, std::size_t candidates
 std::string numbers_text(const TuningView& view, const CandidateVerdict& each, std::size_t candidates) {
   const study::TuningPlan& plan = view.plan;
   if (each.pairs == 0) return "no pair has both values";
-  std::string out = text::visible(in_words(plan.objective));
+  std::string out = texts::visible(in_words(plan.objective));
   if (each.value) {
     out += fmt::format(" {}, the base team {}, difference ", with_interval(*each.value), with_interval(*each.base));
   } else {
@@ -196,7 +196,7 @@ std::vector<std::string> search_sentences(const TuningView& view) {
                                            record.ended.empty() ? "has come to" : "ended after",
                                            counted(record.trace.size(), "evaluation", "evaluations"),
                                            counted(record.trace.back().matches, "match", "matches"),
-                                           record.ended.empty() ? std::string() : ": " + text::visible(record.ended))};
+                                           record.ended.empty() ? std::string() : ": " + texts::visible(record.ended))};
   if (best->evaluation == 1) {
     out.push_back(fmt::format("No evaluation had a better value than the base team's, {}.", value(*best)));
   } else {

@@ -7,7 +7,7 @@
 #include "report/text_table.hpp"
 #include "report/tournament.hpp"
 #include "report/tuning_problem.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 
@@ -31,7 +31,7 @@ std::string parameters_table(const study::TuningPlan& plan) {
   TextTable table;
   table.row({"parameter", "start", "range", "scale"});
   for (const study::Parameter& each : plan.parameters) {
-    table.row({text::visible(each.path), text_of(each, each.start), range_text(each), scale_text(each)});
+    table.row({texts::visible(each.path), text_of(each, each.start), range_text(each), scale_text(each)});
   }
   return "\nParameters\n" + indented(table.text());
 }
@@ -40,7 +40,7 @@ std::string forfeits_text(const study::TuningPlan& plan, const study::MatchTally
   std::string out;
   for (const study::Forfeits& each : tally.forfeits.listed()) {
     out += fmt::format("  {} {}\n", each.count == 1 ? "1 match" : fmt::format("{} matches", each.count),
-                       text::visible(forfeit_text(forfeiter(plan, each.team), each.failure)));
+                       texts::visible(forfeit_text(forfeiter(plan, each.team), each.failure)));
   }
   const std::uint64_t more = tally.forfeits.unlisted();
   if (more > 0) out += fmt::format("  {} more {} forfeited for other reasons\n", more, more == 1 ? "was" : "were");

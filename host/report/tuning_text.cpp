@@ -12,7 +12,7 @@
 #include "report/text_table.hpp"
 #include "report/tuning_sentences.hpp"
 #include "report/tuning_tables.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -49,7 +49,7 @@ std::string tuned_table(const TuningView& view) {
   table.row({"parameter", "base", "tuned", "range", ""});
   for (const TunedValue& each : values) {
     const study::Parameter& parameter = view.plan.parameters[each.parameter];
-    table.row({text::visible(parameter.path), text_of(parameter, each.base), text_of(parameter, each.tuned),
+    table.row({texts::visible(parameter.path), text_of(parameter, each.base), text_of(parameter, each.tuned),
                range_text(parameter), end_text(each.at)});
   }
   return fmt::format("\nValues of finalist {}{}\n", *view.record.tuned() + 1,
@@ -63,7 +63,7 @@ std::string importance_table(const TuningView& view) {
   table.row({"parameter", "importance", ""});
   for (const study::Slice& each : view.record.slices) {
     table.row(
-        {text::visible(view.plan.parameters[each.parameter].path), importance_value(each), importance_text(each)});
+        {texts::visible(view.plan.parameters[each.parameter].path), importance_value(each), importance_text(each)});
   }
   return "\nImportance of the parameters\n" + indented(table.text()) + fmt::format("  {}\n", slices_note(view));
 }
@@ -123,7 +123,7 @@ std::string tuning_standing(const TuningView& view) {
                      most_matches(view.plan));
   if (const study::SearchStep* const best = best_step(record)) {
     out += fmt::format("best so far: {} {} at evaluation {} (optimistic), the base team {}\n",
-                       text::visible(in_words(view.plan.objective)),
+                       texts::visible(in_words(view.plan.objective)),
                        with_interval(of_objective(view.plan.objective, best->played.score)), best->evaluation,
                        with_interval(of_objective(view.plan.objective, record.trace.front().played.score)));
   }
@@ -132,14 +132,14 @@ std::string tuning_standing(const TuningView& view) {
 
 std::string tuning_text(const TuningView& view) {
   std::string out = doubts_text(view.record.tally.remarks) + problem_title(view.plan) + '\n';
-  if (!view.plan.asked.question.empty()) out += text::visible(view.plan.asked.question) + '\n';
+  if (!view.plan.asked.question.empty()) out += texts::visible(view.plan.asked.question) + '\n';
   if (const std::string unfinished = unfinished_sentence(view); !unfinished.empty()) out += unfinished + '\n';
   out += played_text(what_was_played(view.plan));
   const TuningVerdict verdict = tuning_verdict(view);
   out += '\n' + verdict.headline + '\n';
   for (const std::string& each : verdict.beside) out += fmt::format("  {}\n", each);
   if (!view.tuned_file.empty()) {
-    out += fmt::format("\nThe tuned team is in {}{}\n", text::visible(view.tuned_file),
+    out += fmt::format("\nThe tuned team is in {}{}\n", texts::visible(view.tuned_file),
                        view.record.verified() ? "." : ", although it was not found better.");
   }
   out += tuned_table(view) + importance_table(view) + finalists_table(view);

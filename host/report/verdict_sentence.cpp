@@ -12,8 +12,8 @@
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -24,7 +24,7 @@ constexpr double level = significance_level;
 
 Html team(const TournamentView& view, std::size_t index) { return name(view.plan.teams[index].label); }
 
-Html counted(std::uint64_t count, const char* one, const char* more) { return text(text::counted(count, one, more)); }
+Html counted(std::uint64_t count, const char* one, const char* more) { return text(texts::counted(count, one, more)); }
 
 Html numbers_of(const TournamentView& view, const Meeting& meeting) {
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
@@ -45,7 +45,7 @@ std::optional<Html> may_be(const TournamentView& view, const Meeting& meeting) {
       const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));
       if (count == 0) return text("All pairs were even, so there is no interval.");
       return text(fmt::format("Only {} not even: too few pairs for an interval.",
-                              text::counted(count, "pair was", "pairs were")));
+                              texts::counted(count, "pair was", "pairs were")));
     }
     default:
       return std::nullopt;
@@ -286,7 +286,7 @@ std::string more_pairs_sentence(const std::string& before) {
   return fmt::format(
       "It had {} pairs before it was given more. A p value and an interval hold for a number that was fixed "
       "beforehand: whoever adds pairs until the result pleases finds differences that are not there.",
-      text::visible(before));
+      texts::visible(before));
 }
 
 }  // namespace regista::report

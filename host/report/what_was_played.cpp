@@ -16,9 +16,9 @@
 #include "report/html_table.hpp"
 #include "report/page_parts.hpp"
 #include "report/text_table.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
-#include "text/visible.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -27,14 +27,14 @@ using Json = nlohmann::ordered_json;
 
 std::string in_words(const PlayedProfile& profile) {
   if (profile.name.empty() && profile.file.empty()) return "not known";
-  return text::visible(profile.name) +
-         (profile.file.empty() ? " (built in)" : fmt::format(" ({})", text::visible(profile.file)));
+  return texts::visible(profile.name) +
+         (profile.file.empty() ? " (built in)" : fmt::format(" ({})", texts::visible(profile.file)));
 }
 
 std::string games_of(const config::MatchSettings& settings, std::size_t scenes) {
   const std::string limit = settings.limit ? config::real_text(*settings.limit) : std::string();
   if (scenes > 0) {
-    return fmt::format("from {}, {}", text::counted(scenes, "scene", "scenes"),
+    return fmt::format("from {}, {}", texts::counted(scenes, "scene", "scenes"),
                        limit.empty() ? std::string("each as long as it says") : limit + " s at most");
   }
   return limit.empty() ? "whole matches from kick-off" : fmt::format("matches from kick-off, {} s at most", limit);
@@ -57,17 +57,17 @@ std::string program_of(const WhatWasPlayed& played) {
 // What is said of all matches, a line each.
 std::vector<std::string> lines_of(const WhatWasPlayed& played) {
   std::vector<std::string> out{fmt::format("rules {}, robot {}", in_words(played.rules), in_words(played.robot))};
-  if (!played.set.empty()) out.push_back("set " + text::visible(fmt::format("{}", fmt::join(played.set, ", "))));
+  if (!played.set.empty()) out.push_back("set " + texts::visible(fmt::format("{}", fmt::join(played.set, ", "))));
   out.push_back(fmt::format("{}; {}", played.games, played.amount));
   if (!played.plugins.empty())
-    out.push_back(text::visible(fmt::format("plugins of {} first", fmt::join(played.plugins, ", "))));
+    out.push_back(texts::visible(fmt::format("plugins of {} first", fmt::join(played.plugins, ", "))));
   out.push_back(program_of(played) + (played.limits.empty() ? "" : "; " + played.limits));
   return out;
 }
 
 std::string remarks_on(const PlayedTeam& team) {
   std::string out = "disturbance " + in_words(team.disturbance);
-  if (!team.set.empty()) out += ", set " + text::visible(fmt::format("{}", fmt::join(team.set, ", ")));
+  if (!team.set.empty()) out += ", set " + texts::visible(fmt::format("{}", fmt::join(team.set, ", ")));
   return out;
 }
 
@@ -115,7 +115,7 @@ std::vector<std::string> played_with(const WhatWasPlayed& played) {
       name = "file " + std::filesystem::path(name.substr(5, of - 5)).filename().string() +
              name.substr(std::min(of, name.size()));
     }
-    const std::string line = fmt::format("{} {}", text::visible(name), input.hash.substr(input.hash.rfind(' ') + 1));
+    const std::string line = fmt::format("{} {}", texts::visible(name), input.hash.substr(input.hash.rfind(' ') + 1));
     if (std::ranges::find(out, line) == out.end()) out.push_back(line);
   };
   std::ranges::for_each(played.inputs, add);
@@ -130,7 +130,7 @@ std::vector<std::string> not_as_before(const config::MatchSettings& settings, co
     const std::string& line = each.text();
     if (std::ranges::find(now, line) != now.end()) continue;
     out.push_back(fmt::format("{} is not what this study was played with before",
-                              text::visible(line.substr(0, line.rfind(' ')))));
+                              texts::visible(line.substr(0, line.rfind(' ')))));
   }
   return out;
 }
@@ -140,12 +140,12 @@ std::string played_text(const WhatWasPlayed& played) {
   std::string out = "Played:\n";
   for (std::size_t i = 0; i < std::min(played.teams.size(), most); ++i) {
     const PlayedTeam& each = played.teams[i];
-    out += fmt::format("  {} ({}, version {}), {}\n", text::visible(each.name), text::visible(each.file), each.version,
-                       remarks_on(each));
+    out += fmt::format("  {} ({}, version {}), {}\n", texts::visible(each.name), texts::visible(each.file),
+                       each.version, remarks_on(each));
   }
   if (played.teams.size() > most)
-    out +=
-        fmt::format("  and {} more: --json, or the page\n", text::counted(played.teams.size() - most, "team", "teams"));
+    out += fmt::format("  and {} more: --json, or the page\n",
+                       texts::counted(played.teams.size() - most, "team", "teams"));
   for (const std::string& each : lines_of(played)) out += fmt::format("  {}\n", each);
   return out;
 }

@@ -15,8 +15,8 @@
 #include "command/end_of_program.hpp"
 #include "output/output.hpp"
 #include "study/plan_names.hpp"
-#include "text/json.hpp"
-#include "text/message.hpp"
+#include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::results {
 namespace {
@@ -112,7 +112,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
   std::error_code error;
   if (resume && std::filesystem::status(file, error).type() == std::filesystem::file_type::not_found) {
     throw command::BadInput(
-        fmt::format("--resume: {}: no such file; without --resume it is begun", text::one_line(file)));
+        fmt::format("--resume: {}: no such file; without --resume it is begun", texts::one_line(file)));
   }
   return opening([&] {
     campaign::Store store(file, resume ? campaign::Store::Mode::open : campaign::Store::Mode::create, REGISTA_VERSION,
@@ -134,7 +134,7 @@ campaign::Store open_results(const std::string& file, bool resume, const study::
     throw command::BadInput(
         fmt::format("--resume: {} was begun with something else: {}; its matches would be mixed with others; "
                     "--results names a new file{}",
-                    file, text::join(changed), other_program(store)));
+                    file, texts::join(changed), other_program(store)));
   });
 }
 
@@ -165,7 +165,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
     remark_on(*store_);
     return;
   }
-  const std::string first = text::one_line(files.front());
+  const std::string first = texts::one_line(files.front());
   try {
     folder_ = std::make_unique<process::TemporaryFolder>();
   } catch (const std::system_error& error) {
@@ -176,7 +176,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
     for (const std::string& each : files) {
       const Store part = read_results(each);
       remark_on(part);
-      const std::string name = text::one_line(each), plan = part.meta(schedule);
+      const std::string name = texts::one_line(each), plan = part.meta(schedule);
       if (store_->meta(schedule).empty()) {
         store_->set_meta(resolved_teams, part.meta(resolved_teams));
         store_->set_meta(schedule, plan);
@@ -186,7 +186,7 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
         // The folders in which they were begun may differ.
         const std::vector<std::string> changed = differences(name, plan, study->study(), kinds);
         if (!changed.empty())
-          throw command::BadInput(fmt::format("{} and {} are not of one study: {}", first, name, text::join(changed)));
+          throw command::BadInput(fmt::format("{} and {} are not of one study: {}", first, name, texts::join(changed)));
       }
       const campaign::Taken taken = store_->take(part, Store::Unknown::planned);
       if (taken.refused > 0) throw command::BadInput(fmt::format("{}: {}", name, taken.why.front()));

@@ -19,7 +19,7 @@
 #include "results/results_page.hpp"
 #include "results/study_progress.hpp"
 #include "study/recording_place.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::results {
 namespace {
@@ -181,7 +181,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
   output::print(options.json ? report.json() : report.text());
   if (options.no_page) return command::exit_done;
   const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
-  if (page && !options.quiet) command::say(fmt::format("page: {}\n", text::one_line(page->string())));
+  if (page && !options.quiet) command::say(fmt::format("page: {}\n", texts::one_line(page->string())));
   return command::exit_done;
 }
 

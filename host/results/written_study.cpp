@@ -14,7 +14,7 @@
 #include "config/values.hpp"
 #include "output/new_folder.hpp"
 #include "process/program.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::results {
 namespace {
@@ -63,7 +63,7 @@ class Laying {
       for (const auto& [other, unused] : contents_) {
         if (content->find(other) == std::string::npos) continue;
         left_out.push_back(fmt::format("{} names {} from the root of the file system, and goes on to read it there",
-                                       text::one_line(path), text::one_line(other)));
+                                       texts::one_line(path), texts::one_line(other)));
       }
     }
     for (const std::string& each : played.plugins) {
@@ -123,7 +123,8 @@ class Laying {
   std::string renamed(const std::string& name) {
     const fs::path path = absolute(name);
     if (is_taken(path)) return path.lexically_relative(root_).generic_string();
-    left_out.push_back(fmt::format("{} is not in the results: it is named where it is", text::one_line(path.string())));
+    left_out.push_back(
+        fmt::format("{} is not in the results: it is named where it is", texts::one_line(path.string())));
     return path.string();
   }
 

@@ -21,7 +21,7 @@
 #include "study/scenes_check.hpp"
 #include "study/tournament_setup.hpp"
 #include "study/tuning/tuning_setup.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -42,7 +42,7 @@ std::optional<config::Warning> sketch_remark(const std::string& file) {
   std::string line;
   for (int number = 1; std::getline(head, line) && line.starts_with('#'); ++number) {
     if (line.starts_with(mark))
-      return config::Warning{{file, number, 1}, "a sketch: " + text::one_line(line.substr(mark.size()))};
+      return config::Warning{{file, number, 1}, "a sketch: " + texts::one_line(line.substr(mark.size()))};
   }
   return std::nullopt;
 }

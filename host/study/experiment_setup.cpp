@@ -21,7 +21,7 @@
 #include "study/packets_spent.hpp"
 #include "study/settings.hpp"
 #include "study/study_inputs.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -165,7 +165,7 @@ class Planner {
       throw config::Error(where, fmt::format("{}: {}", what, why));
     }
     if (std::ranges::find(known, measure) != known.end()) return;
-    throw config::Error(where, text::unknown("measure", measure, what, known));
+    throw config::Error(where, texts::unknown("measure", measure, what, known));
   }
 
   void choose_measures() {

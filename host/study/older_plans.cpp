@@ -12,7 +12,7 @@
 #include "config/tournament.hpp"
 #include "config/tuning.hpp"
 #include "config/values.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::study {
 namespace {

@@ -29,7 +29,7 @@
 #include "config/values.hpp"
 #include "study/opening.hpp"
 #include "study/plan_names.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::study {
 

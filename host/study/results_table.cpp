@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "study/table.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -31,10 +31,10 @@ void refuse_unknown_columns(const Table& table) {
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const std::string& name = table.columns()[i];
     if (std::ranges::find(known, name) == known.end()) {
-      throw config::Error(table.where(i), text::unknown("column", name, "", known));
+      throw config::Error(table.where(i), texts::unknown("column", name, "", known));
     }
     if (std::ranges::count(table.columns(), name) > 1) {
-      throw config::Error(table.where(i), fmt::format("column {} stands twice", text::in_quotes(name)));
+      throw config::Error(table.where(i), fmt::format("column {} stands twice", texts::in_quotes(name)));
     }
   }
 }

@@ -10,7 +10,7 @@
 #include "campaign/job_setup.hpp"
 #include "config/scalar.hpp"
 #include "match/side.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -77,7 +77,7 @@ config::Overrides settings_of(const config::Experiment& experiment, const config
                               std::size_t value) {
   config::Overrides out = settings_of(experiment.settings.set, "set");
   const config::Overrides own =
-      settings_of(experiment.arms[arm].set, fmt::format("arm {}", text::in_quotes(experiment.arms[arm].name)));
+      settings_of(experiment.arms[arm].set, fmt::format("arm {}", texts::in_quotes(experiment.arms[arm].name)));
   append(out, own);
   if (!experiment.sweep) return out;
   const std::string& path = experiment.sweep->path;

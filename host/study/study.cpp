@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "study/plan_names.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::study {
 namespace {

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <utility>
 
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -24,7 +24,7 @@ std::string in_ascii_quotes(std::string_view field) {
     const bool is_plain = c >= 0x20 && c < 0x7f;
     plain += is_plain ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
   }
-  return text::in_quotes(plain);
+  return texts::in_quotes(plain);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ std::size_t Table::column(std::string_view name) const {
   for (std::string& each : known) each = in_ascii_quotes(each);
   if (columns_.size() > most_shown) known.emplace_back("...");
   throw config::Error({name_, 1, 1},
-                      fmt::format("no column {}; this file has: {}", text::in_quotes(name), text::join(known)));
+                      fmt::format("no column {}; this file has: {}", texts::in_quotes(name), texts::join(known)));
 }
 
 bool Table::next() {
@@ -101,7 +101,7 @@ bool Table::read_line() {
       if (count < 0 || (count == 0 && code != Z_OK && code != Z_STREAM_END)) {
         const std::string reason = code == Z_ERRNO ? std::strerror(errno) : message;
         throw config::Error({name_, static_cast<int>(lines_ + 1), 1},
-                            fmt::format("cannot be read on: {}", text::one_line(reason)));
+                            fmt::format("cannot be read on: {}", texts::one_line(reason)));
       }
       in.begin = 0;
       in.end = static_cast<std::size_t>(count);

@@ -18,7 +18,7 @@
 #include "study/packets_spent.hpp"
 #include "study/settings.hpp"
 #include "study/study_inputs.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -148,7 +148,7 @@ class Planner {
     if (std::ranges::find(paths, path) != paths.end()) return;
     paths.insert(paths.begin(), goals_value);
     throw config::Error(
-        where, text::unknown("metric", test->value, fmt::format("test.metric, of team {}", team.team().name), paths));
+        where, texts::unknown("metric", test->value, fmt::format("test.metric, of team {}", team.team().name), paths));
   }
 
   void look_at_team(std::size_t team) {

@@ -2,7 +2,7 @@
 """Who may know whom: the arrows of docs/architecture.md as data. A change here is a change of the architecture.
 
     cli -> cluster -> results -> command -> output -> report -> study -> campaign -> recording -> match -> mind -> plugin -> process, sdk
-    text, statistics, mcap are leaves; config knows text
+    texts, statistics, mcap are leaves; config knows texts
 
 An arrow may skip rooms (match may include plugin), never run backwards or sideways.
 """
@@ -10,24 +10,24 @@ An arrow may skip rooms (match may include plugin), never run backwards or sidew
 # room of host/ -> the rooms it may include or link. "sdk" stands for <regista/abi.h> and <regista/extensions/...>, all
 # that host and plugins share.
 KNOWS = {
-    "text": set(),
-    "config": {"text"},
+    "texts": set(),
+    "config": {"texts"},
     "statistics": set(),
     "mcap": set(),
     "process": set(),
-    "plugin": {"sdk", "text", "config", "process"},
-    "mind": {"sdk", "text", "config", "plugin"},
-    "match": {"sdk", "text", "config", "plugin", "mind"},
-    "recording": {"sdk", "text", "config", "plugin", "mind", "match", "mcap"},
-    "campaign": {"sdk", "text", "config", "process", "plugin", "mind", "match", "statistics", "recording", "mcap"},
-    "check": {"sdk", "text", "config", "process", "plugin"},
-    "study": {"sdk", "text", "config", "plugin", "mind", "match", "statistics", "campaign"},
-    "report": {"sdk", "text", "config", "process", "plugin", "match", "statistics", "campaign", "study", "recording"},
-    "output": {"text", "config", "mcap", "recording", "study", "report"},
-    "command": {"text", "config", "plugin", "output"},
-    "results": {"text", "config", "process", "plugin", "campaign", "study", "report", "output", "command"},
-    "cluster": {"text", "config", "process", "plugin", "campaign", "study", "report", "output", "command", "results"},
-    "cli": {"sdk", "text", "config", "process", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording",
+    "plugin": {"sdk", "texts", "config", "process"},
+    "mind": {"sdk", "texts", "config", "plugin"},
+    "match": {"sdk", "texts", "config", "plugin", "mind"},
+    "recording": {"sdk", "texts", "config", "plugin", "mind", "match", "mcap"},
+    "campaign": {"sdk", "texts", "config", "process", "plugin", "mind", "match", "statistics", "recording", "mcap"},
+    "check": {"sdk", "texts", "config", "process", "plugin"},
+    "study": {"sdk", "texts", "config", "plugin", "mind", "match", "statistics", "campaign"},
+    "report": {"sdk", "texts", "config", "process", "plugin", "match", "statistics", "campaign", "study", "recording"},
+    "output": {"texts", "config", "mcap", "recording", "study", "report"},
+    "command": {"texts", "config", "plugin", "output"},
+    "results": {"texts", "config", "process", "plugin", "campaign", "study", "report", "output", "command"},
+    "cluster": {"texts", "config", "process", "plugin", "campaign", "study", "report", "output", "command", "results"},
+    "cli": {"sdk", "texts", "config", "process", "plugin", "mind", "match", "statistics", "campaign", "study", "report", "recording",
             "mcap", "output", "command", "results", "cluster", "check"},
 }
 

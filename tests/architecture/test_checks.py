@@ -30,7 +30,7 @@ GOOD = {
     "host/mcap/CMakeLists.txt": "regista_room(mcap SOURCES writer.cpp LINKS zstd::libzstd_shared)\n",
     "host/campaign/store.cpp": "#include <sqlite3.h>\n#include \"match/arena.hpp\"\n#include \"statistics/elo.hpp\"\n",
     "host/study/tuner.cpp": "#include <nlopt.hpp>\n#include \"campaign/store.hpp\"\n",
-    "host/text/html.cpp": "#include <string>\n",
+    "host/texts/html.cpp": "#include <string>\n",
     "host/recording/writer.cpp":
         "#include \"mcap/writer.hpp\"\n#include \"mind/mind.hpp\"\n#include \"match/arena.hpp\"\n",
     "host/report/page.cpp": "#include \"campaign/store.hpp\"\n#include \"recording/writer.hpp\"\n",
@@ -98,7 +98,7 @@ BAD_ROOMS = [
     ("host/report/bad.cpp", '#include "cli/main.hpp"', "1: includes cli/main.hpp; room report may not know cli"),
     ("host/match/bad.cpp", "/* a\n// */ #include HEADER",
      "2: includes what a macro names; write the header's name"),
-    ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are text, config, statistics, mcap, process, plugin, "
+    ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are texts, config, statistics, mcap, process, plugin, "
                                      "mind, match, recording, campaign, check, study, report, output, command, cluster, cli"),
     ("plugins/senders/bad/plugin.cpp", '#include "mind/mind.hpp"',
      "1: includes mind/mind.hpp; room plugins/senders/bad may not know mind"),

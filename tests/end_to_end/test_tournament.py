@@ -342,6 +342,9 @@ class BadInput(tournament.Tournament):
         self.assertIn("begin the path with a for the first team", ask("--set", "home.teammates_forgotten_after=20"))
         self.assertIn("--set a.no_such", ask("--set", "a.no_such=1"))
         self.assertIn("small letters", ask("--set", "A.no_such=1"))
+        self.assertIn("expected a path inside it, as in a.", ask("--set", "a=1"))
+        self.assertIn("a tournament has no opponent", ask("--set", "opponent.sender=1"))
+        self.assertIn("--seed 9007199254740993: seed: ", ask("--seed", "9007199254740993"))
         self.assertIn("would never stop", self.refused("tournament", "--team", "small.yaml", "--team", "small.yaml",
                                                        "--sprt", "0,10"))
         self.assertIn("--set c.x=1: c.x: there are 2 teams, a to b", ask("--set", "c.x=1"))

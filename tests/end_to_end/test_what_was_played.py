@@ -5,6 +5,7 @@ import contextlib
 import json
 import os
 import re
+import shutil
 import sqlite3
 import unittest
 
@@ -74,12 +75,79 @@ class Again(tournament.Tournament):
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"plugin \S+ is not what this study was played with before\n")
 
+    def test_a_resumed_study_is_reported_as_it_was_begun(self):
+        self.play()
+        before = json.loads(self.succeed("report", "tournament.db", "--json"))["played"]
+        done = self.run_program(*self.arguments("--resume", "--json", "--quiet", "--isolation", "always"))
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("tournament.db goes on as it was begun", done.stderr)
+        self.assertEqual(json.loads(done.stdout)["played"], before)
+
     def test_what_cannot_be_written(self):
         self.play()
         self.assertIn("exists already", self.refused("report", "tournament.db", "--study", "."))
         self.assertIn("--study writes the study, and nothing else",
                       self.refused("report", "tournament.db", "--study", "again", "--json"))
         self.assertIn("there is no folder", self.refused("report", "tournament.db", "--study", "no/again"))
+
+
+class Files(program.ShippedCase):
+    """Teams below a/, the study elsewhere."""
+
+    def setUp(self):
+        super().setUp()
+        shutil.copytree(program.SOURCE / "configs", self.folder / "a")
+
+    def write_again(self, results, *more):
+        """What `--study` remarks, and the hashes of what its folder plays."""
+        done = self.run_program("report", f"{results}.db", "--study", f"{results}_again/")
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+        folder = self.folder / f"{results}_again"
+        played = self.run_program("run", "study.yaml", "--results", "again.db", "--quiet", "--no-page", *more, cwd=folder)
+        self.assertEqual(played.returncode, 0, played.stderr)
+        return done.stderr, played.stderr, hashes(folder / "again.db")
+
+    def test_files_in_settings_of_arms_and_in_a_sweep(self):
+        shutil.copy(self.folder / "a/formations/open_play.conf", self.folder / "a/formations/other.conf")
+        file = "positioner.params.file"
+        for name, arms, more in (
+                ("arms", f"{{name: one, team: a/teams/formation.yaml}}, {{name: two, team: a/teams/formation.yaml, "
+                         f"set: {{{file}: a/formations/other.conf}}}}", ""),
+                ("sweep", "{name: one, team: a/teams/formation.yaml}, {name: two, team: a/teams/paper.yaml, set: "
+                          "{positioner.plugin: delaunay_formation, positioner.params: {roles: 'striker: 2'}}}",
+                 f"sweep: {{path: {file}, values: [a/formations/open_play.conf, a/formations/other.conf]}}\n")):
+            self.write(f"{name}.yaml", f"experiment: {name}\narms: [{arms}]\nopponent: a/teams/scram.yaml\nmatches: 2\n"
+                                       f"limit: 4\n{more}")
+            self.succeed("experiment", f"{name}.yaml", "--quiet", "--no-page", "--play-once")
+            expected = hashes(self.folder / f"{name}.db")
+            shutil.move(self.folder / "a", self.folder / "away")  # nothing of it is read again
+            self.assertEqual(self.write_again(name), ("", "", expected))
+            shutil.move(self.folder / "away", self.folder / "a")
+
+    def test_a_team_called_study(self):
+        self.write("a/teams/study.yaml", "extends: paper.yaml\nteam: study\n")
+        self.succeed("tournament", "--team", "a/teams/study.yaml", "--team", "a/teams/paper.yaml", "--pairs", 1,
+                     "--limit", 4, "--quiet", "--no-page", "--results", "t.db")
+        self.assertEqual(self.write_again("t"), ("", "", hashes(self.folder / "t.db")))
+
+    def test_what_does_not_come_along_is_reported(self):
+        self.write("a/teams/far.yaml", f"extends: {self.folder}/a/teams/paper.yaml\nteam: far\n")
+        (self.folder / "more").mkdir()
+        self.succeed("tournament", "--team", "a/teams/far.yaml", "--team", "a/teams/paper.yaml", "--pairs", 1,
+                     "--limit", 4, "--quiet", "--no-page", "--results", "t.db", "--plugins", "more")
+        self.assertIn("\n  plugins of more first\n", self.succeed("report", "t.db"))
+        remarks, _, played = self.write_again("t", "--plugins", self.folder / "more")
+        self.assertRegex(remarks, r"a/teams/far\.yaml names \S+/a/teams/paper\.yaml from the root")
+        self.assertIn(f"needs --plugins {self.folder}/more\n", remarks)
+        self.assertEqual(played, hashes(self.folder / "t.db"))
+
+    def test_a_file_with_the_name_of_a_built_in_profile(self):
+        rules = (self.folder / "a/rules/spl2023.yaml").read_text()
+        self.write("spl2023", re.sub(r"(?m)^rules: spl2023", "rules: ours", rules).replace("half: 600", "half: 300"))
+        self.succeed("tournament", "--team", "a/teams/scram.yaml", "--team", "a/teams/paper.yaml", "--pairs", 1,
+                     "--limit", 4, "--rules", "spl2023", "--quiet", "--no-page", "--results", "t.db")
+        self.assertIn("  rules ours (spl2023)", self.succeed("report", "t.db"))
+        self.assertEqual(self.write_again("t"), ("", "", hashes(self.folder / "t.db")))
 
 
 class ShippedStudies(program.ShippedCase):

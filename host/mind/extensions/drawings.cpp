@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "mind/extensions/cut_text.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::mind {
 namespace {
@@ -34,7 +34,7 @@ std::string wrong_with(const regista_shape& shape) {
   }
   if (shape.layer == nullptr || *shape.layer == '\0') return "a shape names no layer";
   const auto in_layer = [&shape](std::string_view what) {
-    return fmt::format("layer {}: {}", text::visible(at_most(shape.layer)), what);
+    return fmt::format("layer {}: {}", texts::visible(at_most(shape.layer)), what);
   };
   if (shape.shape == REGISTA_SHAPE_TEXT && shape.text == nullptr) return in_layer("a text is null");
   if (shape.count > most_points) {
@@ -61,7 +61,7 @@ std::string wrong_with_use(DrawUse& use, const regista_shape& shape) {
   const std::string_view layer = at_most(shape.layer);
   if (std::ranges::find(use.layers, layer) == use.layers.end()) {
     if (use.layers.size() >= most_layers) {
-      return fmt::format("layer {}: more than {} layers in one match", text::visible(layer), most_layers);
+      return fmt::format("layer {}: more than {} layers in one match", texts::visible(layer), most_layers);
     }
     use.layers.emplace_back(layer);
   }
@@ -89,8 +89,8 @@ void Drawings::draw(DrawUse& use, const regista_shape& shape) {
   if (count_ == shapes_.size()) shapes_.emplace_back();
   DrawnShape& out = shapes_[count_++];
   out.plugin = use.plugin;
-  out.layer = text::visible(at_most(shape.layer));
-  out.text = shape.shape == REGISTA_SHAPE_TEXT ? text::visible(at_most(shape.text)) : "";
+  out.layer = texts::visible(at_most(shape.layer));
+  out.text = shape.shape == REGISTA_SHAPE_TEXT ? texts::visible(at_most(shape.text)) : "";
   out.shape = shape.shape;
   out.filled = shape.shape == REGISTA_SHAPE_POLYGON && (shape.flags & REGISTA_SHAPE_FILLED) != 0;
   out.colour = shape.colour;

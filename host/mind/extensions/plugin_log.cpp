@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "mind/extensions/cut_text.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::mind {
 namespace {
@@ -53,7 +53,7 @@ void PluginLog::remark(const char* plugin, int place, std::string_view text) {
 }
 
 void PluginLog::add(const char* plugin, int place, std::int32_t level, std::string_view text) {
-  const std::string shown = text::visible(text);
+  const std::string shown = texts::visible(text);
   LogLine line{level, caller_->noting.side, caller_->robot, place, caller_->tick, time_, plugin, shown};
   if (sink_.wants(level)) sink_.tell(line);
   if (!keeps_) return;

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -23,12 +23,12 @@ const campaign::Failure* first_failure(const MatchTally& tally, bool of_tuned) {
 std::string in_words(const campaign::Failure& failure, const std::string& team) {
   const std::string plugin = failure.plugin.empty() ? "a plugin of " + team : "plugin " + failure.plugin;
   const std::string call = failure.call.empty() ? "" : " in " + failure.call;
-  return text::one_line(plugin + call + ": " + failure.what);
+  return texts::one_line(plugin + call + ": " + failure.what);
 }
 
 std::string why_no_number(const MatchTally& tally) {
   const std::vector<MatchRemark>& unplayed = tally.remarks.unplayed().listed();
-  if (!unplayed.empty()) return ": they could not be played: " + text::one_line(unplayed.front().text);
+  if (!unplayed.empty()) return ": they could not be played: " + texts::one_line(unplayed.front().text);
   const campaign::Failure* const failure = first_failure(tally, false);
   return failure == nullptr ? "" : ": opponents forfeit: " + in_words(*failure, "an opponent");
 }

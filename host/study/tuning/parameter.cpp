@@ -12,8 +12,8 @@
 #include "config/overlay.hpp"
 #include "config/scalar.hpp"
 #include "config/team_page.hpp"
-#include "text/message.hpp"
-#include "text/nearest.hpp"
+#include "texts/message.hpp"
+#include "texts/nearest.hpp"
 
 namespace regista::study {
 namespace {
@@ -134,15 +134,15 @@ bool is_pattern(const std::string& path) { return path.find_first_of("*?[") != s
     if (each.refusal.empty()) known.push_back(each.path);
   }
   std::string message =
-      fmt::format("parameters: {} {}", text::in_quotes(asked.pattern),
+      fmt::format("parameters: {} {}", texts::in_quotes(asked.pattern),
                   is_pattern(asked.pattern) ? "matches nothing that can be tuned" : "is no number of this team");
   if (known.empty()) {
     message += "; nothing of it can be: no term has a `tune`, no plugin declares a tunable parameter";
   } else {
     std::ranges::stable_sort(known, {},
-                             [&](const std::string& each) { return text::edit_distance(asked.pattern, each); });
+                             [&](const std::string& each) { return texts::edit_distance(asked.pattern, each); });
     known.resize(std::min(known.size(), shown));
-    message += fmt::format("; nearest: {}", text::join(known));
+    message += fmt::format("; nearest: {}", texts::join(known));
   }
   throw config::Error(asked.where, message);
 }

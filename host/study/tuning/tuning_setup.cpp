@@ -20,7 +20,7 @@
 #include "study/measure.hpp"
 #include "study/settings.hpp"
 #include "study/study_inputs.hpp"
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -44,8 +44,8 @@ std::string label_of(const std::string& file) { return std::filesystem::path(fil
 std::string unknown_algorithm(const std::string& name) {
   const auto why = why_unsuitable(name);
   const std::vector<std::string> known = algorithm_names();
-  return why ? fmt::format("{}: {}; offered: {}", name, *why, text::join(known))
-             : text::unknown("algorithm", name, "", known);
+  return why ? fmt::format("{}: {}; offered: {}", name, *why, texts::join(known))
+             : texts::unknown("algorithm", name, "", known);
 }
 
 class Planner {
@@ -164,7 +164,7 @@ class Planner {
       for (const config::TuningObjective::Term& each : *terms) {
         const std::string measure(match::without_roles(each.measure));
         if (std::ranges::find(known, measure) != known.end()) continue;
-        mistakes_.add(config::Error(each.where, "objective: " + text::unknown("measure", measure, "", known)),
+        mistakes_.add(config::Error(each.where, "objective: " + texts::unknown("measure", measure, "", known)),
                       "objective");
       }
     }

@@ -16,7 +16,7 @@ std::string_view part(std::string_view& bytes) {
   return first;
 }
 
-bool text::one_line(std::string_view text) {
+bool in_one_line(std::string_view text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7f) return false;
@@ -33,7 +33,7 @@ const char* check_documents_from(std::string_view bytes) {
     while (!bytes.empty()) document = override_with(document, {std::string(part(bytes))});
     shown = show(document);
   } catch (const Error& error) {
-    return text::one_line(error.what()) ? "" : "the message has several lines";
+    return in_one_line(error.what()) ? "" : "the message has several lines";
   }
   // A flow map in one line may outgrow what a line may be.
   if (shown.size() > 60000) return "";

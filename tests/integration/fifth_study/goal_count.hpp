@@ -14,7 +14,7 @@
 #include "study/plan_names.hpp"
 #include "study/study.hpp"
 #include "study/tournament_plan.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::study {
 

@@ -13,7 +13,7 @@
 #include "report/page_parts.hpp"
 #include "report/study_report.hpp"
 #include "report/tournament.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "campaign/metric_json.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::campaign {
 namespace {

@@ -12,7 +12,7 @@
 #include "report/match_summary.hpp"
 #include "report/metric_reference.hpp"
 #include "report/tournament_page.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::cli {
 namespace {

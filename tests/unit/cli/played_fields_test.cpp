@@ -17,7 +17,7 @@
 #include "report/tournament.hpp"
 #include "report/tuning_problem.hpp"
 #include "results/written_study.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 #include "unit/study/experiment_fixture.hpp"
 #include "unit/study/tournament_fixture.hpp"
 #include "unit/study/tuning_fixture.hpp"

@@ -156,15 +156,15 @@ void survives(std::uint64_t seed) {
   T sent, received;
   random.fill(sent);
   random.fill(received);  // what stood there before is of no importance
-  text::BytesOut out;
+  texts::BytesOut out;
   out(sent);
-  text::BytesIn in(out.bytes());
+  texts::BytesIn in(out.bytes());
   in(received);
   EXPECT_TRUE(in.empty());
   EXPECT_TRUE(same(sent, received)) << "seed " << seed;
   // Cut short anywhere, they are no answer.
   for (std::size_t length = 0; length < out.bytes().size(); length += 1 + out.bytes().size() / 40) {
-    text::BytesIn cut(out.bytes().first(length));
+    texts::BytesIn cut(out.bytes().first(length));
     EXPECT_THROW(cut(received), std::out_of_range) << length;
   }
 }
@@ -180,10 +180,10 @@ TEST(Wire, OutcomesArriveBitForBit) {
 TEST(Wire, PacketsArriveInTheirOrder) {
   const std::vector<std::uint8_t> first{1, 2, 3}, second, third(128, 255);
   const std::vector<HeardPacket> sent{{0.25, first}, {-0.0, second}, {1e300, third}};
-  text::BytesOut out;
+  texts::BytesOut out;
   write_heard(out, sent);
   std::vector<HeardPacket> received(7);
-  text::BytesIn in(out.bytes());
+  texts::BytesIn in(out.bytes());
   read_heard(in, received);
   EXPECT_TRUE(in.empty());
   ASSERT_EQ(received.size(), 3u);
@@ -191,7 +191,7 @@ TEST(Wire, PacketsArriveInTheirOrder) {
     EXPECT_TRUE(same(received[i].time_heard, sent[i].time_heard)) << i;
     EXPECT_TRUE(std::ranges::equal(received[i].bytes, sent[i].bytes)) << i;
   }
-  text::BytesIn cut(out.bytes().first(out.bytes().size() - 1));
+  texts::BytesIn cut(out.bytes().first(out.bytes().size() - 1));
   EXPECT_THROW(read_heard(cut, received), std::out_of_range);
 }
 

@@ -56,7 +56,7 @@ class DescriptionTest : public PuppetTest {
   }
 
   static std::vector<std::uint8_t> bytes_of(const Description& description) {
-    text::BytesOut out;
+    texts::BytesOut out;
     description.write(out);
     return {out.bytes().begin(), out.bytes().end()};
   }
@@ -92,7 +92,7 @@ TEST_F(DescriptionTest, SaysWhatThePluginSays) {
 TEST_F(DescriptionTest, ComesBackFromItsBytes) {
   Puppet::assigner.flags = 1;
   const std::vector<std::uint8_t> bytes = bytes_of(Description(live()));
-  text::BytesIn in(bytes);
+  texts::BytesIn in(bytes);
   const Description read(in);
   EXPECT_TRUE(in.empty());
   expect_says(read, live());
@@ -120,7 +120,7 @@ TEST_F(DescriptionTest, ReadsParametersOfALargerStruct) {
 TEST_F(DescriptionTest, DamagedBytesAreRefused) {
   const std::vector<std::uint8_t> bytes = bytes_of(Description(live()));
   for (std::size_t length = 0; length < bytes.size(); ++length) {
-    text::BytesIn in{std::span<const std::uint8_t>(bytes).first(length)};
+    texts::BytesIn in{std::span<const std::uint8_t>(bytes).first(length)};
     EXPECT_THROW(Description{in}, std::out_of_range) << length;
   }
   // Whatever a plugin wrote there: some description, or a refusal.
@@ -128,7 +128,7 @@ TEST_F(DescriptionTest, DamagedBytesAreRefused) {
   for (int i = 0; i < 3000; ++i) {
     std::vector<std::uint8_t> damaged = bytes;
     for (int k = 0; k < 3; ++k) damaged[random() % damaged.size()] = static_cast<std::uint8_t>(random());
-    text::BytesIn in(damaged);
+    texts::BytesIn in(damaged);
     try {
       const Description read(in);
       for (std::uint32_t p = 0; p < read.declared().parameter_count; ++p) {

@@ -9,15 +9,15 @@
 
 #include "recording/match_page.hpp"
 #include "recording/schemas.hpp"
-#include "text/base64.hpp"
-#include "text/json.hpp"
-#include "text/json_text.hpp"
+#include "texts/base64.hpp"
+#include "texts/json.hpp"
+#include "texts/json_text.hpp"
 
 namespace regista::recording {
 namespace {
 
-using text::append_base64;
-using text::JsonText;
+using texts::append_base64;
+using texts::JsonText;
 
 std::string base64(std::string_view bytes) {
   std::string out = ">";

@@ -62,7 +62,7 @@ TEST(SentSegments, KnowsWhichOfferWasHeard) {
 }
 
 std::string written(const SegmentEvent& event, std::uint64_t handle, bool left = true) {
-  text::JsonText json;
+  texts::JsonText json;
   json.open('{');
   write(json, {match::Side::away, 4, event, handle, left});
   json.close('}');

@@ -4,7 +4,7 @@
 #include "course.hpp"
 #include "report/standing.hpp"
 #include "report/tournament.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

@@ -10,7 +10,7 @@
 #include "report/tournament_page.hpp"
 #include "report/verdict_sentence.hpp"
 #include "statistics/sign_flip.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::report {
 namespace {

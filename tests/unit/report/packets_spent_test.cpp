@@ -8,7 +8,7 @@
 #include "report/match_summary.hpp"
 #include "report/tournament.hpp"
 #include "report/tournament_page.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 #include "tuning_course.hpp"
 #include "unit/study/experiment_fixture.hpp"
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "report/tuning_numbers.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 #include "tuning_course.hpp"
 
 namespace regista::report {

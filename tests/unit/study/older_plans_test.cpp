@@ -14,7 +14,7 @@
 #include "study/experiment_plan.hpp"
 #include "study/tournament_plan.hpp"
 #include "study/tuning/tuning_plan.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 
 namespace regista::study {
 namespace {

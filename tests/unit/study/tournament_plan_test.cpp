@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "config/values.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 #include "tournament_fixture.hpp"
 
 namespace regista::study {

@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "process/sanitized.hpp"
-#include "text/json.hpp"
+#include "texts/json.hpp"
 #include "tuning_fixture.hpp"
 
 namespace regista::study {

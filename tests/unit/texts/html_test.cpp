@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "text/html.hpp"
+#include "texts/html.hpp"
 
 #include <gmock/gmock.h>
 
 #include <string>
 
 #include "process/sanitized.hpp"
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
-namespace regista::text {
+namespace regista::texts {
 namespace {
 
 using visible;
@@ -103,7 +103,7 @@ std::string decoded(std::string address) {
 TEST(HtmlText, AddressesHoldAnyBytes) {
   std::string bytes;
   for (int i = 0; i < 256; ++i) bytes += static_cast<char>(i);
-  const std::string address = data_address("text/csv", bytes).str(), begin = "data:text/csv;charset=utf-8,";
+  const std::string address = data_address("texts/csv", bytes).str(), begin = "data:text/csv;charset=utf-8,";
   ASSERT_TRUE(address.starts_with(begin));
   EXPECT_EQ(decoded(address.substr(begin.size())), bytes);
   EXPECT_EQ(address.find_first_of("\"'<> \n#?&"), std::string::npos);
@@ -122,4 +122,4 @@ TEST(HtmlText, IsPlainForATerminal) {
 }
 
 }  // namespace
-}  // namespace regista::text
+}  // namespace regista::texts

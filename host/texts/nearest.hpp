@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::text {
+namespace regista::texts {
 
 // Number of edits from one text to the other; upper and lower case of ASCII letters count as equal.
 std::size_t edit_distance(std::string_view a, std::string_view b);
@@ -19,4 +19,4 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 std::string_view nearest(std::string_view asked, std::span<const std::string_view> known);
 std::string_view nearest(std::string_view asked, std::span<const std::string> known);
 
-}  // namespace regista::text
+}  // namespace regista::texts

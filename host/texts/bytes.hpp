@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace regista::text {
+namespace regista::texts {
 
 // Values that are copied as they are.
 template <class T>
@@ -120,4 +120,4 @@ void visit(BytesIn& archive, std::optional<T>& value) {
   if (has) archive(value.emplace());
 }
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "text/html.hpp"
+#include "texts/html.hpp"
 
 #include <fmt/format.h>
 
@@ -7,9 +7,9 @@
 #include <array>
 #include <utility>
 
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
-namespace regista::text {
+namespace regista::texts {
 
 namespace {
 
@@ -104,4 +104,4 @@ Html path_address(std::string_view path) {
   return text(path.starts_with('/') || path.starts_with('.') ? address : "./" + address);
 }
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::text {
+namespace regista::texts {
 
 // In one line: "a\nb" is seen as a, backslash, n, b. Bytes that are no UTF-8 become U+FFFD.
 std::string visible(std::string_view text);
@@ -19,4 +19,4 @@ std::string visible_lines(std::string_view text);
 // The same in one line of so many characters at most; what is left out is told by "...".
 std::string visible_at_most(std::string_view text, std::size_t characters);
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::text {
+namespace regista::texts {
 
 // Markup that stands in the source.
 class Markup {
@@ -54,4 +54,4 @@ Html name(std::string_view name);
 Html data_address(std::string_view media_type, std::string_view bytes);
 Html path_address(std::string_view path);
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::text {
+namespace regista::texts {
 
 inline void append_base64(std::string& to, std::string_view bytes) {
   constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -20,4 +20,4 @@ inline void append_base64(std::string& to, std::string_view bytes) {
   }
 }
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Values that become bytes and come back: against the layout that the machine itself has, and with bytes that nobody
 // wrote.
-#include "text/bytes.hpp"
+#include "texts/bytes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-namespace regista::text {
+namespace regista::texts {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
@@ -106,4 +106,4 @@ TEST(Bytes, RoomIsUsedAgain) {
 }
 
 }  // namespace
-}  // namespace regista::text
+}  // namespace regista::texts

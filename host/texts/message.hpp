@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace regista::text {
+namespace regista::texts {
 
 // The text as a terminal may be given it, in one line: see visible.hpp.
 std::string one_line(std::string_view text);
@@ -26,4 +26,4 @@ std::string counted(std::uint64_t count, std::string_view one, std::string_view 
 std::string unknown(std::string_view what, std::string_view asked, std::string_view where,
                     std::span<const std::string> known);
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -7,18 +7,18 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace regista::text::json {
+namespace regista::texts::json {
 
 using Characters = nlohmann::detail::iterator_input_adapter<const char*>;
 using Text = nlohmann::detail::iterator_input_adapter<std::string::const_iterator>;
 
-}  // namespace regista::text::json
+}  // namespace regista::texts::json
 
 extern template class nlohmann::basic_json<>;
 extern template class nlohmann::basic_json<nlohmann::ordered_map>;
 extern template class nlohmann::detail::serializer<nlohmann::json>;
 extern template class nlohmann::detail::serializer<nlohmann::ordered_json>;
-extern template class nlohmann::detail::parser<nlohmann::json, regista::text::json::Characters>;
-extern template class nlohmann::detail::parser<nlohmann::json, regista::text::json::Text>;
-extern template class nlohmann::detail::parser<nlohmann::ordered_json, regista::text::json::Characters>;
-extern template class nlohmann::detail::parser<nlohmann::ordered_json, regista::text::json::Text>;
+extern template class nlohmann::detail::parser<nlohmann::json, regista::texts::json::Characters>;
+extern template class nlohmann::detail::parser<nlohmann::json, regista::texts::json::Text>;
+extern template class nlohmann::detail::parser<nlohmann::ordered_json, regista::texts::json::Characters>;
+extern template class nlohmann::detail::parser<nlohmann::ordered_json, regista::texts::json::Text>;

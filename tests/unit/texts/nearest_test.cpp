@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "text/nearest.hpp"
+#include "texts/nearest.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace regista::text {
+namespace regista::texts {
 namespace {
 
 // The recurrence of the optimal string alignment distance, written down as it is defined.
@@ -62,4 +62,4 @@ TEST(Nearest, FindsWhatWasMeant) {
 }
 
 }  // namespace
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "text/visible.hpp"
+#include "texts/visible.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 
-namespace regista::text {
+namespace regista::texts {
 namespace {
 
 struct Character {
@@ -79,4 +79,4 @@ std::string visible(std::string_view text) { return shown(text, false, std::stri
 std::string visible_lines(std::string_view text) { return shown(text, true, std::string_view::npos); }
 std::string visible_at_most(std::string_view text, std::size_t characters) { return shown(text, false, characters); }
 
-}  // namespace regista::text
+}  // namespace regista::texts

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace regista::text {
+namespace regista::texts {
 
 // Keys and words are names of this program: nothing in them needs to be escaped. Texts may hold any UTF-8.
 class JsonText {
@@ -145,4 +145,4 @@ class JsonText {
   bool first_ = true;
 };
 
-}  // namespace regista::text
+}  // namespace regista::texts

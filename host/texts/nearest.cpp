@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "text/nearest.hpp"
+#include "texts/nearest.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <vector>
 
-namespace regista::text {
+namespace regista::texts {
 namespace {
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -53,4 +53,4 @@ std::string_view nearest(std::string_view asked, std::span<const std::string> kn
   return nearest_of(asked, known);
 }
 
-}  // namespace regista::text
+}  // namespace regista::texts

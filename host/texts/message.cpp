@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "text/message.hpp"
+#include "texts/message.hpp"
 
 #include <fmt/format.h>
 
-#include "text/nearest.hpp"
-#include "text/visible.hpp"
+#include "texts/nearest.hpp"
+#include "texts/visible.hpp"
 
-namespace regista::text {
+namespace regista::texts {
 
 std::string one_line(std::string_view text) { return visible(text); }
 
@@ -46,4 +46,4 @@ std::string unknown(std::string_view what, std::string_view asked, std::string_v
   return message;
 }
 
-}  // namespace regista::text
+}  // namespace regista::texts
