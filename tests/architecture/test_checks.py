@@ -99,7 +99,7 @@ BAD_ROOMS = [
     ("host/match/bad.cpp", "/* a\n// */ #include HEADER",
      "2: includes what a macro names; write the header's name"),
     ("host/tools/bad.cpp", "int i;", "1: stands in no room; the rooms are texts, config, statistics, mcap, process, plugin, "
-                                     "mind, match, recording, campaign, check, study, report, output, command, cluster, cli"),
+                                     "mind, match, recording, campaign, check, study, report, output, command, results, cluster, cli"),
     ("plugins/senders/bad/plugin.cpp", '#include "mind/mind.hpp"',
      "1: includes mind/mind.hpp; room plugins/senders/bad may not know mind"),
     ("plugins/senders/bad/plugin.cpp", "#include <config/node.hpp>",

@@ -11,10 +11,6 @@
 namespace regista::texts {
 namespace {
 
-using visible;
-using visible_at_most;
-using visible_lines;
-
 TEST(VisibleText, WhatIsSeenStaysAsItIs) {
   EXPECT_EQ(visible("Rot-Weiß 04, שלום, 日本, 🙂"), "Rot-Weiß 04, שלום, 日本, 🙂");
   EXPECT_EQ(visible(""), "");
