@@ -103,7 +103,7 @@ Html section(std::string_view id, Markup title, const Html& content) {
 
 Html table_link(std::string_view file_name, std::string_view csv) {
   Html out = "<a class=\"take\" download=\""_html;
-  return out << text(file_name) << "\" href=\""_html << data_address("texts/csv", csv) << "\">data as CSV</a>"_html;
+  return out << text(file_name) << "\" href=\""_html << data_address("text/csv", csv) << "\">data as CSV</a>"_html;
 }
 
 Html figure(std::span<const PageFigure> figures, std::string_view figure_name) {

@@ -69,7 +69,7 @@ class Laying {
     for (const std::string& each : played.plugins) {
       const std::string folder = absolute(each).string();
       left_out.push_back(fmt::format("plugins do not come along: `regista run study.yaml` needs {}",
-                                     process::command_line(std::vector<std::string>{"--plugins", folder})));
+                                     process::shell_line(std::vector<std::string>{"--plugins", folder})));
     }
   }
 

@@ -113,8 +113,8 @@ class Files(program.ShippedCase):
         for name, arms, more in (
                 ("arms", f"{{name: one, team: a/teams/formation.yaml}}, {{name: two, team: a/teams/formation.yaml, "
                          f"set: {{{file}: a/formations/other.conf}}}}", ""),
-                ("sweep", "{name: one, team: a/teams/formation.yaml}, {name: two, team: a/teams/paper.yaml, set: "
-                          "{positioner.plugin: delaunay_formation, positioner.params: {roles: 'striker: 2'}}}",
+                ("sweep", "{name: one, team: a/teams/formation.yaml}, {name: two, team: a/teams/formation.yaml, "
+                          "set: {tasks.offset.at_most: 10}}",
                  f"sweep: {{path: {file}, values: [a/formations/open_play.conf, a/formations/other.conf]}}\n")):
             self.write(f"{name}.yaml", f"experiment: {name}\narms: [{arms}]\nopponent: a/teams/scram.yaml\nmatches: 2\n"
                                        f"limit: 4\n{more}")

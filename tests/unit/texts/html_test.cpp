@@ -99,7 +99,7 @@ std::string decoded(std::string address) {
 TEST(HtmlText, AddressesHoldAnyBytes) {
   std::string bytes;
   for (int i = 0; i < 256; ++i) bytes += static_cast<char>(i);
-  const std::string address = data_address("texts/csv", bytes).str(), begin = "data:text/csv;charset=utf-8,";
+  const std::string address = data_address("text/csv", bytes).str(), begin = "data:text/csv;charset=utf-8,";
   ASSERT_TRUE(address.starts_with(begin));
   EXPECT_EQ(decoded(address.substr(begin.size())), bytes);
   EXPECT_EQ(address.find_first_of("\"'<> \n#?&"), std::string::npos);
