@@ -7,10 +7,10 @@
 
 #include "cli/command_line.hpp"
 #include "cli/plugin_folders.hpp"
+#include "cli/study_commands.hpp"
 #include "cli/study_options.hpp"
 #include "goal_count_report.hpp"
 #include "results/results_file.hpp"
-#include "cli/study_commands.hpp"
 #include "results/study_run.hpp"
 #include "study/tournament_setup.hpp"
 
