@@ -157,11 +157,7 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
     for (const auto* inputs : {&job.common_inputs, &job.home_inputs, &job.away_inputs})
       out.inputs.insert(out.inputs.end(), inputs->begin(), inputs->end());
   }
-  out.program = plan.program;
-  out.folder = plan.folder;
-  out.plugins = plan.plugins;
-  out.document = config::document_text(plan.asked);
-  out.changed = not_as_before(plan.asked.settings, out);
+  complete(out, plan);
   return out;
 }
 

@@ -268,11 +268,7 @@ WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
                            texts::counted(plan.pairs(), "pair", "pairs"),
                            one ? std::string() : fmt::format(" of each of {} pairings", plan.pairings().size()),
                            plan.first_seed());
-  out.program = plan.program;
-  out.folder = plan.folder;
-  out.plugins = plan.plugins;
-  out.document = config::document_text(plan.asked);
-  out.changed = not_as_before(plan.asked.settings, out);
+  complete(out, plan);
   return out;
 }
 

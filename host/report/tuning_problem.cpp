@@ -150,11 +150,7 @@ WhatWasPlayed what_was_played(const study::TuningPlan& plan) {
   }
   out.amount = fmt::format("{} matches at most, {} of them for the search, seed {}", most_matches(plan),
                            most_matches(plan, study::TuningStage::search), plan.seed());
-  out.program = plan.program;
-  out.folder = plan.folder;
-  out.plugins = plan.plugins;
-  out.document = config::document_text(plan.asked);
-  out.changed = not_as_before(plan.asked.settings, out);
+  complete(out, plan);
   return out;
 }
 

@@ -12,6 +12,7 @@
 
 #include "campaign/input.hpp"
 #include "config/match_settings.hpp"
+#include "config/values.hpp"
 #include "report/html.hpp"
 
 namespace regista::report {
@@ -59,6 +60,16 @@ PlayedTeam played_team(std::string name, std::string file, std::vector<campaign:
 std::vector<std::string> played_with(const WhatWasPlayed& played);
 // What is another than a study's document says it was played with, lines without their ends.
 std::vector<std::string> not_as_before(const config::MatchSettings& settings, const WhatWasPlayed& played);
+
+// All that a plan says of how the study was begun, once what was played with is known.
+template <class Plan>
+void complete(WhatWasPlayed& played, const Plan& plan) {
+  played.program = plan.program;
+  played.folder = plan.folder;
+  played.plugins = plan.plugins;
+  played.document = config::document_text(plan.asked);
+  played.changed = not_as_before(plan.asked.settings, played);
+}
 
 std::string played_text(const WhatWasPlayed& played);  // lines, each ended
 nlohmann::ordered_json played_json(const WhatWasPlayed& played);

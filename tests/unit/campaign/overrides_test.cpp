@@ -36,7 +36,7 @@ TEST(SortedOverrides, KeepTheirOrder) {
   EXPECT_EQ(of(sorted, "away"), (List{"team=a", "team=c"}));
 }
 
-// So errors are told as they were typed.
+// So messages name them as they were typed.
 TEST(SortedOverrides, KeepTheirPlaces) {
   const SortedOverrides sorted({"rules.team_size=50"});
   EXPECT_EQ(to_string(sorted.of("rules").front().where), "--set rules.team_size=50");

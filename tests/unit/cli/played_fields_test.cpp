@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whatever a study's document can say is said by its report, as JSON and as a page, and stands in the folder that plays
+// Whatever a study's document can say is said by its report, as JSON and as a page, and is written to the folder that plays
 // it again: every key of every kind of study, each with another value than its own.
 #include <gmock/gmock.h>
 
