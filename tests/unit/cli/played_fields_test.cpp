@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whatever a study's document can say is said by its report, as JSON and as a page, and is written to the folder that plays
-// it again: every key of every kind of study, each with another value than its own.
+// Whatever a study's document can say is said by its report, as JSON and as a page, and is written to the folder that
+// plays it again: every key of every kind of study, each with another value than its own.
 #include <gmock/gmock.h>
 
 #include <filesystem>
