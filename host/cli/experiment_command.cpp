@@ -32,7 +32,7 @@ measured; `regista config show` explains its values, docs/experiments.md the met
 scenes at home and away, so that arms are compared pair by pair. A path of an arm's `set`, or of a sweep, is one of its
 team unless it begins with opponent, rules, robot, disturbance or opponent_disturbance.
 All arms are checked before the first match; seeds, number of matches, test and hashes of everything are stored before
-it, too. At its end there are, beside the results NAME.db, the page NAME.html and the figures NAME.figures/*.svg, *.png.
+it, too. At its end there are, beside the results NAME.db, the page NAME.html and the figures NAME.figures/*.svg.
 
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";

@@ -30,15 +30,15 @@ constexpr auto report_examples = R"(Examples:
   regista report tournament.db --csv > matches.csv
   regista report tournament.db --csv --metrics > everything.csv
   regista report tournament.db -o tournament.html
-  regista report tournament.db --figures figures --png
+  regista report tournament.db --figures figures
   regista report tournament.db --standard-error 17
   regista report tournament.db --study again
   regista report here.db there.db
 
--o writes one page that needs nothing else, --figures each of its figures as NAME.svg, its data as NAME.csv, and
-NAME.gnuplot, which draws the one from the other. A study that has ended is reported as it was at its end; another one
-as far as its matches have been played without a gap. The table of an experiment has a row for each number of each
-match, that of a tuning one for each point of its search.
+-o writes one page that needs nothing else, --figures each of its figures as NAME.svg and its data as
+NAME.csv. A study that has ended is reported as it was at its end; another one as far as its matches have been played
+without a gap. The table of an experiment has a row for each number of each match, that of a tuning one for each point of
+its search.
 Several files are reported as one where they are of one study, begun alike, whose matches were played in several places.
 --study writes the study itself, as it was asked for, with its teams, profiles and scenes: `regista run study.yaml` in that
 folder plays it again.
@@ -50,7 +50,7 @@ struct ReportOptions {
   std::vector<std::string> files;                    // of one study
   std::string file;                                  // the first of them, by which what is made is called
   std::string page, figures, study, standard_error;  // the last: of this match, from 1
-  bool json = false, csv = false, metrics = false, png = false, force = false;
+  bool json = false, csv = false, metrics = false, force = false;
 };
 
 // In pieces, so that a million rows need no memory.
@@ -72,7 +72,6 @@ void refuse_what_does_not_go_together(const ReportOptions& options) {
   if (!options.study.empty() && (files || options.csv || options.json || !options.standard_error.empty())) {
     throw BadInput("report: --study writes the study, and nothing else");
   }
-  if (options.png && options.figures.empty()) throw BadInput("report: --png adds to --figures, which is not given");
   if (options.force && !files) throw BadInput("report: --force belongs to -o or --figures, which are not given");
 }
 
@@ -157,7 +156,6 @@ int run(ReportOptions options, const output::OutputFiles& outputs, const Invocat
   results::PageWishes wishes;
   if (!options.page.empty()) wishes.page = options.page;
   if (!options.figures.empty()) wishes.figures.folder = options.figures;
-  wishes.figures.png = options.png;
   wishes.figures.existing = options.force ? output::Existing::replaced : output::Existing::refused;
   results::write_page({options.file, store, invocation.studies}, wishes);
   return exit_done;
@@ -178,7 +176,6 @@ void add_report(Command& parent, const Invocation& invocation) {
                Writes::page);
   command.take("--figures", options->figures, "FOLDER", "write the figures of the page as files of this folder",
                Writes::figures);
-  command.flag("--png", options->png, "with --figures: each as PNG, too");
   command.take("--study", options->study, "FOLDER", "write the study with all its files, to be played again",
                Writes::sources);
   command.take("--standard-error", options->standard_error, "MATCH",

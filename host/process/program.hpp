@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Other programs, such as gnuplot or the commands of Slurm: started without a shell, waited for, and what they said;
-// and how a command is written down for a shell.
+// Other programs, such as the commands of Slurm: started without a shell, waited for, and what they said; and how a
+// command is written down for a shell.
 #pragma once
 
 #include <chrono>

@@ -6,11 +6,6 @@
 
 namespace regista::recording::picture {
 
-Html label(double x, double y, const char* classes, std::string_view words) {
-  Html out = drawn(R"(<text x="{:.1f}" y="{:.1f}" class="{}">)", x, y, classes);
-  return out << text(words) << "</text>"_html;
-}
-
 Html field_lines(const config::FieldSize& field, const Scale& to) {
   Html out;
   const auto box = [&](double x0, double y0, double x1, double y1) {

@@ -1,28 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What pictures of the field share: its lines, and numbers and words as SVG.
+// What pictures of the field share: its lines, and where a place of it lies.
 #pragma once
 
-#include <fmt/format.h>
-
-#include <string_view>
-
 #include "config/rules.hpp"
-#include "texts/html.hpp"
+#include "texts/svg.hpp"
 
 namespace regista::recording::picture {
 
+using texts::drawn;
 using texts::Html;
+using texts::label;
 using texts::Markup;
+using texts::sheet;
 using texts::text;
 using texts::operator""_html;
-
-// Numbers, and literals of our own.
-template <class... Numbers>
-Html drawn(fmt::format_string<Numbers...> format, Numbers... numbers) {
-  return Html::made_by_us(fmt::vformat(format, fmt::make_format_args(numbers...)));
-}
-
-Html label(double x, double y, const char* classes, std::string_view words);
 
 // From metres of the field, y up, to the picture, y down.
 struct Scale {

@@ -178,9 +178,7 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   const double height = std::max(robot ? legend.bottom : bottom + 20.0, beside.bottom + 20.0);
 
   const RecordedGame& game = moment.game;
-  Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
-                   R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
-                   width, height);
+  Html out = sheet(width, height);
   out << style
       << drawn(R"(<clipPath id="field"><rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/></clipPath>)",
                to.left, to.top, 2.0 * to.half_length * to.per_metre, 2.0 * to.half_width * to.per_metre);

@@ -155,9 +155,7 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   for (const Named& each : named) {
     names << labels.place(to.x(each.at.x()), to.y(each.at.y()), "role", texts::visible_at_most(each.role->name, 32));
   }
-  Html out = drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
-                   R"(height="{1:.0f}"><rect width="100%" height="100%" fill="#fff"/>)",
-                   page_width, height);
+  Html out = sheet(page_width, height);
   const std::string title =
       fmt::format("{}: roles of {}", texts::visible_at_most(what.team, 40), texts::visible_at_most(what.of, 60));
   out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers << names;

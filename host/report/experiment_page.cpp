@@ -52,7 +52,7 @@ Html findings_section(const std::vector<std::string>& sentences) {
 
 Html figures_section(const ExperimentPageSource& source) {
   Html out;
-  for (const PageFigure& each : source.figures) out << figure(source.figures, each.figure.name);
+  for (const Figure& each : source.figures) out << figure(source.figures, each.name);
   if (out.empty()) return {};
   Html full = "<div class=\"full\">\n"_html;
   return section("figures", "Figures"_html, full << out << "</div>\n"_html);

@@ -13,7 +13,7 @@ namespace regista::report {
 
 struct ExperimentPageSource {
   ExperimentView view;
-  std::vector<PageFigure> figures;
+  std::vector<Figure> figures;
   PlayedResults results;
 };
 

@@ -3,51 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "report/csv_text.hpp"
 #include "texts/visible.hpp"
 
 namespace regista::report {
-namespace {
 
-constexpr std::size_t longest_text = 32;  // characters
-constexpr int png_scale = 2;              // pixels for each unit of a figure
-
-std::string terminal(const Figure& figure, Picture picture) {
-  if (picture == Picture::svg) {
-    return fmt::format("set terminal svg size {},{} noenhanced font 'sans-serif,14' name '{}' background '#ffffff'",
-                       figure.width, figure.height, figure.name);
-  }
-  return fmt::format(
-      "set terminal pngcairo size {},{} noenhanced font 'sans-serif,10.5' fontscale {} linewidth {} pointscale {}",
-      png_scale * figure.width, png_scale * figure.height, png_scale, png_scale, png_scale);
+Shape shape_of(std::size_t series) {
+  constexpr std::array shapes{Shape::circle, Shape::triangle, Shape::square, Shape::diamond, Shape::cross};
+  return shapes[series % shapes.size()];
 }
 
-}  // namespace
-
-std::string gnuplot_text(std::string_view text) {
-  std::string out = "'";
-  const std::string shown = texts::visible_at_most(text, longest_text);
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    // Nothing is special within these quotes but their like. Two of them should mean one, but at the beginning of a
-    // string gnuplot 5.4 takes them for its end; so there is none: it is drawn as U+2019.
-    if (shown[i] == '\'')
-      out += "\u2019";
-    else
-      out += shown[i];
-    // SVG would take "&#65;" for a letter.
-    if (shown[i] == '&' && i + 1 < shown.size() && shown[i + 1] == '#') out += ' ';
-  }
-  return out + '\'';
+bool is_numbered(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix)) return false;
+  const std::string_view number = name.substr(prefix.size());
+  return !number.empty() && number.size() <= 3 && number.find_first_not_of("0123456789") == number.npos;
 }
 
-std::string gnuplot_mark(std::string_view text) {
-  std::string out;
-  for (const char c : gnuplot_text(text)) out += c == '%' ? std::string("%%") : std::string(1, c);
-  return out;
-}
+std::string in_title(std::string_view text) { return texts::visible_at_most(text, 32); }
 
 std::string figure_field(std::string_view text) {
   std::string out;
@@ -55,33 +29,27 @@ std::string figure_field(std::string_view text) {
   return csv_field(out);
 }
 
-double tic_step(double end, int most) {
-  if (!(end > 0.0) || !std::isfinite(end)) return 1.0;
-  const double least = end / most;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double times : {1.0, 2.0, 5.0}) {
-    if (times * power >= least * (1.0 - 1e-9)) return times * power;
-  }
-  return 10.0 * power;
+std::string figure_field(double number) { return std::isfinite(number) ? fmt::format("{}", number) : std::string(); }
+
+Point mean_over(double x, const study::MeanEstimate& mean) {
+  if (mean.pairs == 0) return {x, unknown};
+  return {x, mean.mean, mean.interval ? mean.interval->low : mean.mean,
+          mean.interval ? mean.interval->high : mean.mean};
 }
 
-double whole_tic_step(double end, int most) { return std::max(1.0, tic_step(end, most)); }
+Point mean_in_row(double row, const study::MeanEstimate& mean) {
+  const Point over = mean_over(row, mean);
+  return {over.y, row, over.low, over.high};
+}
 
-std::string gnuplot_script(const Figure& figure, Picture picture) {
-  return fmt::format(
-      "# {0}. Draws {1}.{2} from {1}.csv: gnuplot {1}.gnuplot\n"
-      "set encoding utf8\n"
-      "{3}\n"
-      "set output '{1}.{2}'\n"
-      "set datafile separator ','\n"
-      "set datafile columnheaders\n"
-      "set border 3 lc rgb '#000000' lw 0.7\n"
-      "set tics nomirror scale 0.5\n"
-      "set grid ytics lt 1 lc rgb '{4}' lw 0.7\n"
-      "set key top right noopaque samplen 2\n"
-      "{5}",
-      figure.title, figure.name, picture == Picture::svg ? "svg" : "png", terminal(figure, picture), grid_colour,
-      figure.commands);
+std::string mean_fields(const study::MeanEstimate& mean) {
+  const Point point = mean_over(0.0, mean);
+  return figure_field(point.y) + ',' + figure_field(point.low) + ',' + figure_field(point.high);
+}
+
+void take(Range& range, const study::MeanEstimate& mean) {
+  const Point point = mean_over(0.0, mean);
+  for (const double each : {point.y, point.low, point.high}) range.take(each);
 }
 
 }  // namespace regista::report

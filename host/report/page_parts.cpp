@@ -106,20 +106,13 @@ Html table_link(std::string_view file_name, std::string_view csv) {
   return out << text(file_name) << "\" href=\""_html << data_address("text/csv", csv) << "\">data as CSV</a>"_html;
 }
 
-Html figure(std::span<const PageFigure> figures, std::string_view figure_name) {
-  const auto found = std::ranges::find(figures, figure_name,
-                                       [](const PageFigure& each) { return std::string_view(each.figure.name); });
+Html figure(std::span<const Figure> figures, std::string_view figure_name) {
+  const auto found = std::ranges::find(figures, figure_name, &Figure::name);
   if (found == figures.end()) return {};
-  const Figure& figure = found->figure;
   Html out = "<figure>\n"_html;
-  if (found->svg.empty()) {
-    out << "<p class=\"missing\">Here a figure is missing: "_html << text(found->why_not)
-        << ". Its data are there.</p>\n"_html;
-  } else {
-    out << Html::made_by_us(found->svg);  // svg.cpp has let through what it knows, and nothing else
-  }
-  return out << "<figcaption><b>"_html << text(figure.title) << ".</b> "_html << text(figure.description) << " "_html
-             << table_link(figure.name + ".csv", figure.csv) << "</figcaption>\n</figure>\n"_html;
+  return out << svg(*found, Look::page) << "<figcaption><b>"_html << text(found->title) << ".</b> "_html
+             << text(found->description) << " "_html << table_link(found->name + ".csv", found->csv)
+             << "</figcaption>\n</figure>\n"_html;
 }
 
 Html tile(const Html& number, const Html& what) {

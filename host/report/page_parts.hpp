@@ -15,12 +15,6 @@
 
 namespace regista::report {
 
-struct PageFigure {
-  Figure figure;
-  std::string svg;      // of svg_for_page(); empty: there is none
-  std::string why_not;  // then
-};
-
 // From the doctype to the beginning of the content, with this title; and the end of the file.
 Html page_begin(std::string_view title);
 Html page_end();
@@ -32,7 +26,7 @@ inline constexpr std::size_t page_beginning = 512;  // bytes that are enough to 
 Html section(std::string_view id, Markup title, const Html& content);  // empty for no content
 Html table_link(std::string_view file_name, std::string_view csv);     // to take a table away
 // Empty where there is no such figure.
-Html figure(std::span<const PageFigure> figures, std::string_view name);
+Html figure(std::span<const Figure> figures, std::string_view name);
 Html tile(const Html& number, const Html& what);
 
 // Where only the team is known: "a plugin of" it.

@@ -30,7 +30,7 @@ struct TableWish {
 // What a page is made with.
 struct PageFrame {
   std::filesystem::path results, page;  // files
-  std::vector<PageFigure> figures;
+  std::vector<Figure> figures;
   std::string program;                 // version that began the study
   std::vector<std::string> documents;  // of the teams, resolved; empty: not known
 };

@@ -4,16 +4,232 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 #include <optional>
+#include <span>
+#include <string>
 
-#include "report/curve_figures.hpp"
+#include "report/elo_interval.hpp"
 #include "report/role_names.hpp"
 #include "report/standing.hpp"
+#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
+
+// --- Over pairs ------------------------------------------------------------------------------------------------------
+
+constexpr std::size_t many_points = 60;  // a curve of more has no circles
+
+// Strength and differences are drawn with 0.
+constexpr Range with_zero{0.0, 0.0};
+
+struct Banded {
+  std::uint64_t pair;
+  statistics::Estimate estimate;
+};
+
+std::string banded_csv(std::span<const Banded> points, const char* value) {
+  std::string out = fmt::format("pair,{},low,high\n", value);
+  for (const auto& [pair, estimate] : points) {
+    out += fmt::format("{},{},{},{}\n", pair, figure_field(estimate.value), figure_field(estimate.interval.low),
+                       figure_field(estimate.interval.high));
+  }
+  return out;
+}
+
+// The first pairs of many say next to nothing, and would make the rest too small to be seen: the axis is that of the
+// others.
+Range range_of(std::span<const Banded> points) {
+  constexpr std::uint64_t few = 8;
+  Range out = with_zero;
+  const std::uint64_t last = points.back().pair, from = last <= few ? 0 : std::max(last / 10, few);
+  for (const auto& [pair, estimate] : points) {
+    if (pair < from) continue;
+    for (const double value : {estimate.value, estimate.interval.low, estimate.interval.high}) out.take(value);
+  }
+  return out.with_room();
+}
+
+Axis pairs_axis(std::uint64_t last) {
+  return {.title = "pairs", .range = Range{0.0, static_cast<double>(std::max<std::uint64_t>(last, 2))}, .whole = true};
+}
+
+Chart banded_chart(std::span<const Banded> points, const char* axis) {
+  Series curve{.join = Join::line,
+               .shape = points.size() > many_points ? Shape::nothing : Shape::circle,
+               .size = 2.5,
+               .interval = Interval::band};
+  for (const auto& [pair, estimate] : points) {
+    curve.points.push_back({static_cast<double>(pair), estimate.value, estimate.interval.low, estimate.interval.high});
+  }
+  return {.y = {.title = axis, .range = range_of(points)}, .panels = {{pairs_axis(points.back().pair), {curve}}}};
+}
+
+bool has_points(std::span<const Banded> points) {
+  return std::ranges::any_of(points, [](const Banded& each) { return std::isfinite(each.estimate.value); });
+}
+
+// Elo of the first team with its interval of 95 %.
+std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
+  std::vector<Banded> points;
+  for (const PairPoint& each : curve) {
+    if (!each.elo) continue;
+    points.push_back({each.pair, *each.elo});
+    if (!each.enough) points.back().estimate.interval = {-HUGE_VAL, HUGE_VAL};
+  }
+  if (!has_points(points)) return std::nullopt;
+  const bool any = std::ranges::any_of(points, [](const Banded& each) {
+    return std::isfinite(each.estimate.interval.low) || std::isfinite(each.estimate.interval.high);
+  });
+  Figure out;
+  out.name = "elo";
+  out.title = "Elo over pairs";
+  out.description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.label(0), view.label(1),
+                                any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
+                                                  "for a number of pairs fixed beforehand.",
+                                                  fewest_uneven_pairs)
+                                    : std::string(". Too few pairs for an interval."));
+  out.csv = banded_csv(points, "elo");
+  out.chart = banded_chart(points, "Elo");
+  return out;
+}
+
+// The difference of goals, or of the metric that is tested, with its interval.
+std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
+  std::vector<Banded> points;
+  for (const PairPoint& each : curve) {
+    if (each.pair > 0) points.push_back({each.pair, each.value});
+  }
+  if (!has_points(points)) return std::nullopt;
+  const study::Objective objective = view.plan.objective();
+  const auto* const test = std::get_if<study::ValueTest>(&objective);
+  const bool goals = test == nullptr || test->value == study::goals_value;
+  Figure out;
+  out.name = "value";
+  out.title =
+      goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", texts::visible(test->value));
+  out.description =
+      fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
+                  test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)));
+  out.csv = banded_csv(points, "difference");
+  out.chart = banded_chart(points, goals ? "goals per match" : "difference per match");
+  return out;
+}
+
+// The log-likelihood ratio of a test of scores, and where it stops.
+std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
+  Figure out;
+  out.name = "llr";
+  out.title = "Log-likelihood ratio over pairs";
+  Series upper{.name = "H1", .colour = 2, .join = Join::dashes}, lower{.name = "H0", .colour = 1, .join = Join::dashes};
+  Series ratio{.name = "LLR",
+               .join = Join::line,
+               .shape = curve.size() > many_points ? Shape::nothing : Shape::circle,
+               .size = 2.5};
+  Range range = with_zero;
+  out.csv = "pair,llr,lower,upper\n";
+  std::uint64_t last = 0;
+  for (const PairPoint& each : curve) {
+    if (!each.ratio) continue;
+    out.csv += fmt::format("{},{},{},{}\n", each.pair, figure_field(*each.ratio), figure_field(each.lower),
+                           figure_field(each.upper));
+    const auto add = [&](Series& series, double value) {
+      series.points.push_back({static_cast<double>(each.pair), value});
+      range.take(value);
+    };
+    add(upper, each.upper);
+    add(ratio, *each.ratio);
+    add(lower, each.lower);
+    last = each.pair;
+  }
+  if (last == 0) return std::nullopt;
+  const auto hypotheses = std::get<study::ScoreTest>(view.plan.objective()).design.hypotheses;
+  out.description =
+      fmt::format("The test stops at the upper line, for H1 ({} is {} stronger), or at the lower one, for H0 ({}).",
+                  view.label(0), hypotheses.elo1, hypotheses.elo0);
+  out.chart = {.y = {.title = "LLR", .range = range.with_room()},
+               .panels = {{pairs_axis(last), {upper, ratio, lower}}}};
+  return out;
+}
+
+// --- Of several teams ------------------------------------------------------------------------------------------------
+
+// Elo now, with intervals.
+std::optional<Figure> ranking_figure(const TournamentView& view) {
+  constexpr std::size_t most = 40;
+  std::vector<Ranked> ranks = ranking(view.plan, view.course);
+  std::erase_if(ranks, [](const Ranked& each) { return !each.elo || !std::isfinite(each.elo->value); });
+  if (ranks.empty()) return std::nullopt;
+  if (ranks.size() > most) ranks.resize(most);
+  Figure out;
+  out.name = "ranking";
+  out.title = "Strength of the teams";
+  out.description = "Bradley-Terry Elo, sum 0, with 95 % intervals by the spread of pairs.";
+  out.csv = "team,elo,low,high\n";
+  Series teams{.shape = Shape::circle, .interval = Interval::whiskers};
+  Range range = with_zero;
+  for (const Ranked& each : ranks) {
+    const statistics::Estimate& elo = *each.elo;
+    // An interval without an end has none to be drawn.
+    const bool bounded = elo.interval.bounded();
+    const double low = bounded ? elo.interval.low : elo.value, high = bounded ? elo.interval.high : elo.value;
+    out.csv += fmt::format("{},{},{},{}\n", figure_field(view.label(each.team)), elo.value, low, high);
+    range.take(low);
+    range.take(high);
+    teams.points.push_back({elo.value, static_cast<double>(out.chart.rows.size()), low, high});
+    out.chart.rows.push_back(view.label(each.team));
+  }
+  out.chart.height = 24.0 * static_cast<double>(ranks.size());
+  out.chart.panels = {{{.title = "Elo", .range = range.with_room()}, {teams}}};
+  return out;
+}
+
+// Elo over pairs, of the first ones of the ranking.
+std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<const RankingPoint> curve) {
+  std::vector<std::size_t> teams;
+  for (const Ranked& each : ranking(view.plan, view.course)) teams.push_back(each.team);
+  if (teams.size() > colours.size()) teams.resize(colours.size());
+  Figure out;
+  out.name = "elo";
+  out.title = "Elo over pairs";
+  out.description = fmt::format("Bradley-Terry Elo of {} after each number of pairs.",
+                                teams.size() == view.plan.teams.size()
+                                    ? std::string("all teams")
+                                    : fmt::format("the first {} teams of the ranking", teams.size()));
+  out.csv = "pair";
+  std::vector<Series> series;
+  for (const std::size_t team : teams) {
+    out.csv += ',' + figure_field(view.label(team));
+    series.push_back({.name = view.label(team),
+                      .colour = series.size(),
+                      .join = Join::line,
+                      .shape = shape_of(series.size()),
+                      .every = std::max<std::size_t>(1, curve.size() / 8)});
+  }
+  out.csv += '\n';
+  Range range = with_zero;
+  std::uint64_t last = 0;
+  for (const RankingPoint& each : curve) {
+    if (each.elo.empty()) continue;
+    out.csv += fmt::format("{}", each.pair);
+    for (std::size_t i = 0; i < teams.size(); ++i) {
+      const double elo = each.elo[teams[i]];
+      out.csv += ',' + figure_field(elo);
+      series[i].points.push_back({static_cast<double>(each.pair), elo});
+      if (each.pair >= curve.back().pair / 10) range.take(elo);
+    }
+    out.csv += '\n';
+    last = each.pair;
+  }
+  if (last == 0) return std::nullopt;
+  out.chart = {
+      .y = {.title = "Elo", .range = range.with_room()}, .panels = {{pairs_axis(last), series}}, .height = 270.0};
+  return out;
+}
+
+// --- Of matches ------------------------------------------------------------------------------------------------------
 
 std::string number_or_nothing(const statistics::Moments* moments) {
   return moments == nullptr || moments->count() == 0 ? std::string() : fmt::format("{}", moments->mean());
@@ -28,62 +244,31 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
   out.description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
                                 view.label(0), view.label(1), GoalDifferences::largest, GoalDifferences::largest);
   out.csv = "goal_difference,played,forfeited\n";
+  Series won{.name = in_title(view.label(0)) + " wins", .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
+      lost{.name = in_title(view.label(1)) + " wins", .colour = 1, .bar = 0.8},
+      forfeited{.name = "forfeits", .colour = black, .bar = 0.8};
   int widest = 2;
-  std::uint64_t highest = 1;
   for (int difference = -GoalDifferences::largest; difference <= GoalDifferences::largest; ++difference) {
     const auto at = static_cast<std::size_t>(difference + GoalDifferences::largest);
+    const auto played = static_cast<double>(counts.played[at]), forfeits = static_cast<double>(counts.forfeited[at]);
     out.csv += fmt::format("{},{},{}\n", difference, counts.played[at], counts.forfeited[at]);
-    highest = std::max(highest, counts.played[at] + counts.forfeited[at]);
-    if (counts.played[at] + counts.forfeited[at] > 0) widest = std::max(widest, std::abs(difference));
+    (difference > 0 ? won : difference < 0 ? lost : drawn).points.push_back({1.0 * difference, played});
+    if (forfeits > 0.0) forfeited.points.push_back({1.0 * difference, played + forfeits, played});
+    if (played + forfeits > 0.0) widest = std::max(widest, std::abs(difference));
   }
-  const bool forfeits = std::ranges::any_of(counts.forfeited, [](std::uint64_t count) { return count > 0; });
-  out.commands = fmt::format(
-      "set xlabel 'goals of '.{0}.' less goals of '.{1}\n"
-      "set ylabel 'matches'\n"
-      "set xrange [{2}:{3}]\n"
-      "set yrange [0:*]\n"
-      "set xtics 1\n"
-      "set ytics {9}\n"
-      "set boxwidth 0.8\n"
-      "set style fill solid noborder\n"
-      "set key {8}\n"
-      "plot 'goal_differences.csv' using ($1>0?$1:1/0):2 with boxes lc rgb '{4}' title {0}.' wins', \\\n"
-      "  '' using ($1==0?$1:1/0):2 with boxes lc rgb '{6}' title 'draws', \\\n"
-      "  '' using ($1<0?$1:1/0):2 with boxes lc rgb '{5}' title {1}.' wins'{7}\n",
-      gnuplot_text(view.label(0)), gnuplot_text(view.label(1)), -widest - 0.6, widest + 0.6, colours[0], colours[1],
-      colours[7],
-      forfeits
-          ? fmt::format(", \\\n  '' using 1:($2+$3/2.0):(0.4):($3/2.0) with boxxyerror lc rgb '{}' title 'forfeits'",
-                        colours[7])
-          : std::string(),
-      "outside top center horizontal", whole_tic_step(static_cast<double>(highest), 6));
+  std::vector<Series> series{won, drawn, lost};
+  if (!forfeited.points.empty()) series.push_back(forfeited);
+  const Axis goals{
+      .title = fmt::format("goals of {} less goals of {}", in_title(view.label(0)), in_title(view.label(1))),
+      .range = Range{-widest - 0.6, widest + 0.6},
+      .whole = true};
+  out.chart = {.y = {.title = "matches", .whole = true}, .panels = {{goals, series}}};
   return out;
 }
 
-// Two values per name, for both teams: a point each, joined by a line.
-std::string panel(const Figure& figure, const char* title, int column, const std::string& tics, std::size_t rows) {
-  return fmt::format(
-      "set title '{1}'\n"
-      "{5}"
-      "plot '{0}.csv' using {2}:(-$0):(${3}-${2}):(0) with vectors nohead lc rgb '{6}' lw 2 notitle, \\\n"
-      "  '' using {2}:(-$0) with points pt 7 ps 0.9 lc rgb '{7}' notitle, \\\n"
-      "  '' using {3}:(-$0) with points pt 9 ps 1.1 lc rgb '{8}' notitle\n",
-      figure.name, title, column, column + 1, rows, tics, grid_colour, colours[0], colours[1]);
-}
-
-// The widest of these, in units of the figure.
-double width_of(const std::vector<std::string>& names) {
-  std::size_t most = 0;
-  for (const std::string& each : names) most = std::max(most, gnuplot_text(each).size() - 2);
-  return 8.2 * static_cast<double>(most) + 16.0;
-}
-
-std::string name_tics(const std::vector<std::string>& names) {
-  std::string out = "set ytics scale 0\nset ytics (";
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    out += fmt::format("{}{} {}", i == 0 ? "" : ", ", gnuplot_mark(names[i]), -static_cast<int>(i));
-  }
-  return out + ")\n";
+std::string with_spaces(std::string name) {
+  std::ranges::replace(name, '_', ' ');
+  return name;
 }
 
 std::optional<Figure> roles(const TournamentView& view, const CourseRecord& record) {
@@ -101,44 +286,33 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
       out.csv += ',' + figure_field(fmt::format("{} {}", view.label(team), measure));
   }
   out.csv += '\n';
+  constexpr std::array<const char*, 3> titles{"overlap, s", "uncovered, s", "switches"};
+  std::vector<Panel>& panels = out.chart.panels;
+  for (const char* title : titles) {
+    panels.push_back({{.title = title, .from_zero = true},
+                      {{.colour = grey, .join = Join::line},
+                       {.name = view.label(0), .shape = Shape::circle},
+                       {.name = view.label(1), .colour = 1, .shape = Shape::triangle}}});
+  }
   for (const std::string& role : names) {
+    const auto row = static_cast<double>(out.chart.rows.size());
+    out.chart.rows.push_back(role);
     out.csv += figure_field(role);
-    for (const char* measure : role_measures) {
+    for (std::size_t i = 0; i < titles.size(); ++i) {
+      Series& both = panels[i].series[0];
       for (const std::size_t team : {0u, 1u}) {
-        out.csv += ',' + number_or_nothing(record.numbers().find(team, role + '.' + measure));
+        const auto* const found = record.numbers().find(team, role + '.' + role_measures[i]);
+        out.csv += ',' + number_or_nothing(found);
+        const Point mean{found == nullptr || found->count() == 0 ? unknown : found->mean(), row};
+        panels[i].series[team + 1].points.push_back(mean);
+        both.points.push_back(mean);
       }
+      both.points.push_back({unknown, row});  // the next role's line is another one
     }
     out.csv += '\n';
   }
-  out.width = 1130;
-  out.height = 90 + 22 * static_cast<int>(names.size());
-  out.commands = fmt::format(
-      "set grid noytics\nset grid xtics ytics lt 1 lc rgb '{}' lw 0.7\n"
-      "set yrange [{}:0.7]\nset xrange [0:*]\nset offsets 0, 0, 0, 0\n"
-      "set tmargin 2\nset bmargin 2.5\n"
-      "set multiplot\n",
-      grid_colour, -static_cast<double>(names.size()) + 0.3);
-  const std::array<const char*, 3> titles{"overlap, s", "uncovered, s", "switches"};
-  const std::vector<std::string> nameless(names.size());
-  const double left = width_of(names) / out.width, panel_width = (1.01 - left) / 3.0;
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    const double begin = left + panel_width * static_cast<double>(i);
-    out.commands +=
-        fmt::format("set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\n", begin, begin + panel_width - 0.03);
-    double most = 0.0;
-    for (const std::string& role : names) {
-      for (const std::size_t team : {0u, 1u}) {
-        const auto* const found = record.numbers().find(team, role + '.' + role_measures[i]);
-        if (found != nullptr) most = std::max(most, found->mean());
-      }
-    }
-    // Where all are nought there is no range to choose.
-    out.commands += fmt::format("set xrange [0:{}]\nset xtics {}\n",
-                                most > 0.0 ? fmt::format("{:.6g}", 1.06 * most) : "1", tic_step(most, 5));
-    out.commands += panel(out, titles[i], static_cast<int>(2 * i + 2), i == 0 ? name_tics(names) : name_tics(nameless),
-                          names.size());
-  }
-  out.commands += "unset multiplot\n";
+  out.chart.width = page_width;
+  out.chart.height = 22.0 * static_cast<double>(names.size());
   return out;
 }
 
@@ -151,30 +325,20 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   out.title = "Packets by the event that caused them";
   out.description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", view.label(0), view.label(1));
   out.csv = fmt::format("reason,{},{}\n", figure_field(view.label(0)), figure_field(view.label(1)));
-  double most = 0.0;
-  std::vector<std::string> names;
+  std::vector<Series> teams{{.name = view.label(0), .bar = 0.34}, {.name = view.label(1), .colour = 1, .bar = 0.34}};
   for (const std::string& reason : reasons) {
+    const auto row = static_cast<double>(out.chart.rows.size());
     out.csv += figure_field(reason);
     for (const std::size_t team : {0u, 1u}) {
       const statistics::Moments* const found = record.numbers().find(team, packets_prefix + reason);
       out.csv += ',' + number_or_nothing(found);
-      if (found != nullptr) most = std::max(most, found->mean());
+      if (found != nullptr) teams[team].points.push_back({found->mean(), row + (team == 0 ? -0.19 : 0.19)});
     }
     out.csv += '\n';
-    names.push_back(reason);
-    std::ranges::replace(names.back(), '_', ' ');
+    out.chart.rows.push_back(with_spaces(reason));
   }
-  out.height = 90 + 28 * static_cast<int>(reasons.size());
-  out.commands = fmt::format(
-      "{0}set grid noytics\nset grid xtics lt 1 lc rgb '{1}' lw 0.7\n"
-      "set yrange [{2}:0.6]\nset xrange [0:{3}]\n"
-      "set xtics {9}\nset xlabel 'packets per match'\nset lmargin at screen {8:.4f}\n"
-      "set style fill solid noborder\nset key outside top center horizontal\n"
-      "plot 'packets.csv' using 2:(-$0+0.19):(0):2:(-$0+0.02):(-$0+0.36) with boxxyerror lc rgb '{4}' title {6}, \\\n"
-      "  '' using 3:(-$0-0.19):(0):3:(-$0-0.36):(-$0-0.02) with boxxyerror lc rgb '{5}' title {7}\n",
-      name_tics(names), grid_colour, -static_cast<double>(reasons.size()) + 0.4, most > 0.0 ? 1.05 * most : 1.0,
-      colours[0], colours[1], gnuplot_text(view.label(0)), gnuplot_text(view.label(1)), width_of(names) / out.width,
-      tic_step(most, 6));
+  out.chart.height = 28.0 * static_cast<double>(reasons.size());
+  out.chart.panels = {{{.title = "packets per match"}, teams}};
   return out;
 }
 

@@ -26,7 +26,7 @@ struct RecordingLink {
 struct PageSource {
   const TournamentView& view;
   const CourseRecord& record;
-  std::vector<PageFigure> figures;
+  std::vector<Figure> figures;
   std::vector<std::string> documents;  // resolved, by team; empty: not known
   WhatWasPlayed played;
   PlayedResults results;

@@ -88,8 +88,8 @@ Html values_section(const TuningPage& page) {
 
 Html slices_section(const TuningPage& page) {
   Html out;
-  for (const PageFigure& each : page.figures) {
-    if (each.figure.name.starts_with("slice_")) out << figure(page.figures, each.figure.name);
+  for (const Figure& each : page.figures) {
+    if (each.name.starts_with("slice_")) out << figure(page.figures, each.name);
   }
   if (out.empty()) return {};
   Html two = "<div class=\"two\">\n"_html;

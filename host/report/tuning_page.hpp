@@ -13,7 +13,7 @@ namespace regista::report {
 
 struct TuningPage {
   TuningView view;
-  std::vector<PageFigure> figures;
+  std::vector<Figure> figures;
   PlayedResults results;
 };
 

@@ -46,10 +46,9 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
     if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
       command::complain(fmt::format("{} holds {}", results.file.string(), incomplete));
     }
-    output::DrawnFigures drawn = output::draw_figures(report->figures(), wishes.figures);
-    if (!drawn.why_not.empty()) command::complain(drawn.why_not);
     report::PageFrame frame;
-    frame.figures = std::move(drawn.figures);
+    frame.figures = report->figures();
+    output::write_figures(frame.figures, wishes.figures);
     if (!wishes.page) return;
     frame.results = results.file;
     frame.page = *wishes.page;
@@ -77,7 +76,7 @@ std::optional<fs::path> write_page_beside(const StoredResults& results, bool fig
     wishes.figures.existing = exists || figures ? output::Existing::replaced : output::Existing::refused;
     if (figures) {
       wishes.figures.folder = study::figure_folder(results.file);
-      wishes.figures.png = wishes.figures.only_these = true;
+      wishes.figures.only_these = true;
     }
     write_page(results, wishes);
     return page;

@@ -25,7 +25,7 @@ struct StoredResults {
   std::span<const StudyKind> kinds;
 };
 
-// Complains in one line where figures cannot be drawn, or results are missing. Throws BadInput and output::WriteError.
+// Complains in one line where results are missing. Throws BadInput and output::WriteError.
 void write_page(const StoredResults& results, const PageWishes& wishes);
 
 // After a study: its page beside the results (study/recording_place.hpp), in the place of an older page of ours,

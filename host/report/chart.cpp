@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// Axes of charts: ranges, tics, and the room that texts take.
+#include "report/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace regista::report {
+namespace {
+
+constexpr double letter = 8.2, wide_letter = 14.0;  // at the size of letters in charts
+constexpr double between_texts = 12.0, between_lines = 24.0;
+constexpr double farthest = 100.0;  // a safeguard: so many tics no axis has
+
+bool single(const Range& range) { return !(range.high - range.low > 1e-9); }
+
+// With as many decimals as tell it from its neighbour.
+std::string number(double value, double step) {
+  const int decimals = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+  if (value == 0.0) return "0";
+  if (std::abs(value) < 1e6 && decimals <= 5) return fmt::format("{:.{}f}", value, std::max(decimals, 0));
+  const int before = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9)) + 1;
+  return fmt::format("{:.{}g}", value, std::clamp(before + decimals, 1, 17));
+}
+
+std::vector<Tic> linear_tics(const Range& range, double step) {
+  std::vector<Tic> out;
+  const double first = std::ceil(range.low / step - 1e-9), last = std::floor(range.high / step + 1e-9);
+  for (double i = 0.0; first + i <= last && i < farthest; ++i) {
+    const double at = (first + i) * step + 0.0;  // no -0
+    out.push_back({at, number(at, step)});
+  }
+  return out;
+}
+
+std::vector<Tic> decades(const Range& range, std::initializer_list<double> digits, int stride) {
+  std::vector<Tic> out;
+  for (int power = static_cast<int>(std::floor(std::log10(range.low))); power <= std::log10(range.high); ++power) {
+    if (power % stride != 0) continue;
+    for (const double digit : digits) {
+      const double unit = std::pow(10.0, power), at = digit * unit;
+      if (at >= range.low * (1.0 - 1e-9) && at <= range.high * (1.0 + 1e-9)) out.push_back({at, number(at, unit)});
+    }
+  }
+  return out;
+}
+
+bool apart(const std::vector<Tic>& tics, const Scale& scale, bool upright) {
+  return std::ranges::adjacent_find(tics, [&](const Tic& one, const Tic& next) {
+           const double room = std::abs(scale.at(next.at) - scale.at(one.at));
+           return room <
+                  (upright ? between_lines : 0.5 * (text_width(one.text) + text_width(next.text)) + between_texts);
+         }) == tics.end();
+}
+
+std::size_t next_character(std::string_view text, std::size_t at) {
+  do ++at;
+  while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0) == 0x80);
+  return at;
+}
+
+}  // namespace
+
+void Range::take(double value) {
+  if (!std::isfinite(value)) return;
+  low = std::min(low, value);
+  high = std::max(high, value);
+}
+
+Range Range::with_room() const {
+  if (empty()) return {0.0, 1.0};
+  // What rounding leaves of values that are equal is no range.
+  const double room = single(*this) ? std::max(0.5, 0.1 * std::abs(high)) : 0.06 * (high - low);
+  return {low - room, high + room};
+}
+
+double Scale::at(double value) const {
+  const auto place = [this](double each) { return logarithmic ? std::log10(each) : each; };
+  return begin + (place(value) - place(range.low)) / (place(range.high) - place(range.low)) * (end - begin);
+}
+
+double tic_step(double length, int most) {
+  if (!(length > 0.0) || !std::isfinite(length)) return 1.0;
+  const double least = length / most;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double times : {1.0, 2.0, 5.0}) {
+    if (times * power >= least * (1.0 - 1e-9)) return times * power;
+  }
+  return 10.0 * power;
+}
+
+std::vector<Tic> tics(const Scale& scale, bool whole, bool upright) {
+  const Range& range = scale.range;
+  std::vector<Tic> out;
+  // Within one power of ten a logarithmic axis has the tics of a linear one.
+  if (scale.logarithmic && range.high >= 10.0 * range.low) {
+    if (out = decades(range, {1.0, 2.0, 5.0}, 1); apart(out, scale, upright)) return out;
+    for (int stride = 1; stride < 700; ++stride) {
+      if (out = decades(range, {1.0}, stride); apart(out, scale, upright)) return out;
+    }
+  }
+  for (int most = upright ? 6 : 10; most > 0; --most) {
+    const double step = tic_step(range.high - range.low, most);
+    out = linear_tics(range, whole ? std::max(1.0, step) : step);
+    if (apart(out, scale, upright)) return out;
+  }
+  out.resize(1);
+  return out;
+}
+
+// Letters of three bytes or more are mostly those of East Asia, which are wide.
+double text_width(std::string_view text) {
+  double out = 0.0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xc0) != 0x80) out += byte >= 0xe3 ? wide_letter : letter;
+  }
+  return out;
+}
+
+std::vector<std::string> in_lines(std::string_view text, double width) {
+  std::vector<std::string> out;
+  while (text_width(text) > width) {
+    std::size_t fits = next_character(text, 0), broken = 0;
+    for (std::size_t end = fits; end < text.size() && text_width(text.substr(0, end)) <= width;
+         end = next_character(text, end)) {
+      fits = end;
+      if (std::string_view(" ._-/,").find(text[end - 1]) != std::string_view::npos) broken = end;
+    }
+    const std::size_t end = broken > 0 ? broken : fits;
+    out.emplace_back(text.substr(0, end));
+    text.remove_prefix(std::min(end, text.size()));
+  }
+  if (!text.empty()) out.emplace_back(text);
+  return out;
+}
+
+}  // namespace regista::report

@@ -1,0 +1,432 @@
+// SPDX-License-Identifier: MIT
+// Draws a chart. What lies outside of its axes is cut off by computing, so a picture needs no ids, which would have to
+// be of their own on a page.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <span>
+#include <utility>
+
+#include "report/figure.hpp"
+#include "texts/svg.hpp"
+#include "texts/visible.hpp"
+
+namespace regista::report {
+namespace {
+
+using texts::drawn;
+using texts::label;
+
+constexpr double margin = 10.0, line_height = 18.0, key_height = 20.0, sample = 24.0, tic_length = 4.0,
+                 between_panels = 34.0, cap = 4.0;
+constexpr std::size_t longest_text = 32;  // characters
+
+std::string shown(std::string_view words) { return texts::visible_at_most(words, longest_text); }
+
+struct Spot {
+  double x, y;
+};
+
+struct Box {
+  double left, top, right, bottom;
+
+  bool holds(const Spot& spot) const {
+    constexpr double nearly = 0.01;
+    return spot.x >= left - nearly && spot.x <= right + nearly && spot.y >= top - nearly && spot.y <= bottom + nearly;
+  }
+  Spot nearest(const Spot& spot) const { return {std::clamp(spot.x, left, right), std::clamp(spot.y, top, bottom)}; }
+};
+
+Html way(std::span<const Spot> spots) {
+  Html out;
+  for (std::size_t i = 0; i < spots.size(); ++i)
+    out << drawn("{}{:.1f} {:.1f}", i == 0 ? 'M' : 'L', spots[i].x, spots[i].y);
+  return out;
+}
+Html line(const Spot& from, const Spot& end) { return way(std::initializer_list<Spot>{from, end}); }
+
+// With the spots at which a way crosses the upper and the lower edge.
+std::vector<Spot> with_crossings(const std::vector<Spot>& spots, const Box& box) {
+  std::vector<Spot> out;
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    out.push_back(spots[i]);
+    if (i + 1 == spots.size()) break;
+    const Spot &from = spots[i], &to = spots[i + 1];
+    const bool down = from.y < to.y;
+    for (const double edge : {down ? box.top : box.bottom, down ? box.bottom : box.top}) {
+      if ((from.y - edge) * (to.y - edge) >= 0.0) continue;
+      out.push_back({from.x + (edge - from.y) / (to.y - from.y) * (to.x - from.x), edge});
+    }
+  }
+  return out;
+}
+
+// The part of a way that lies within the box.
+Html way_within(const std::vector<Spot>& spots, const Box& box) {
+  const std::vector<Spot> all = with_crossings(spots, box);
+  Html out;
+  for (std::size_t begin = 0; begin < all.size();) {
+    std::size_t end = begin;
+    while (end < all.size() && box.holds(all[end])) ++end;
+    if (end > begin + 1) out << way(std::span(all).subspan(begin, end - begin));
+    begin = std::max(end, begin + 1);
+  }
+  return out;
+}
+
+Html mark(Shape shape, const Spot& at, double size) {
+  const auto corners = [&](std::initializer_list<Spot> of) {
+    std::vector<Spot> out;
+    for (const Spot& each : of) out.push_back({at.x + size * each.x, at.y + size * each.y});
+    return out;
+  };
+  const auto closed = [&](std::initializer_list<Spot> of) {
+    Html out = "<path d=\""_html;
+    return out << way(corners(of)) << "z\"/>"_html;
+  };
+  switch (shape) {
+    case Shape::nothing:
+      return {};
+    case Shape::circle:
+      return drawn(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", at.x, at.y, size);
+    case Shape::triangle:
+      return closed({{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}});
+    case Shape::square:
+      return closed({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
+    case Shape::diamond:
+      return closed({{0.0, -1.3}, {1.3, 0.0}, {0.0, 1.3}, {-1.3, 0.0}});
+    case Shape::cross:
+      break;
+  }
+  Html out = "<path fill=\"none\" d=\""_html;
+  return out << way(corners({{-0.9, -0.9}, {0.9, 0.9}})) << way(corners({{-0.9, 0.9}, {0.9, -0.9}})) << "\"/>"_html;
+}
+
+// The names of series, in as many columns as have room.
+struct Key {
+  std::vector<const Series*> entries{};
+  std::vector<double> columns{};  // their widths
+
+  Key(const std::vector<Panel>& panels, double width) {
+    if (panels.empty()) return;
+    for (const Series& each : panels.front().series) {
+      if (!each.name.empty()) entries.push_back(&each);
+    }
+    for (std::size_t count = entries.size(); count > 0; --count) {
+      columns.assign(count, 0.0);
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        double& column = columns[i % count];
+        column = std::max(column, sample + text_width(shown(entries[i]->name)) + 24.0);
+      }
+      if (total() <= width) break;
+    }
+  }
+  double total() const {
+    double out = 0.0;
+    for (const double each : columns) out += each;
+    return out;
+  }
+  double height() const {
+    return entries.empty()
+               ? 0.0
+               : key_height * std::ceil(static_cast<double>(entries.size()) / static_cast<double>(columns.size()));
+  }
+};
+
+class Painter {
+ public:
+  Painter(const Chart& chart, Look look) : chart_(chart), look_(look), rows_(!chart.rows.empty()) {}
+
+  Html picture() {
+    const Key key(chart_.panels, chart_.width - 2.0 * margin);
+    const double top = margin + key.height(), bottom = top + chart_.height;
+    y_ = rows_ ? Scale{{-0.5, static_cast<double>(chart_.rows.size()) - 0.5}, false, top, bottom}
+               : Scale{range_of(chart_.y, false, chart_.panels), chart_.y.logarithmic, bottom, top};
+    double names = 0.0;
+    if (rows_) {
+      for (std::size_t i = 0; i < chart_.rows.size(); ++i)
+        y_tics_.push_back({static_cast<double>(i), shown(chart_.rows[i])});
+    } else {
+      y_tics_ = tics(y_, chart_.y.whole, true);
+    }
+    for (const Tic& each : y_tics_) names = std::max(names, text_width(each.text));
+    const std::vector<std::string> title = in_lines(chart_.y.title, chart_.height);
+    const double left = margin + line_height * static_cast<double>(title.size()) + names + 2.0 * tic_length;
+
+    out_ << keyed(key);
+    for (std::size_t i = 0; i < title.size(); ++i) {
+      out_ << drawn(R"x(<text transform="translate({:.1f} {:.1f}) rotate(-90)" text-anchor="middle">)x",
+                    margin + line_height * (static_cast<double>(i) + 0.6), 0.5 * (top + bottom))
+           << text(title[i]) << "</text>"_html;
+    }
+    const auto count = static_cast<double>(std::max<std::size_t>(chart_.panels.size(), 1));
+    const double width = (chart_.width - left - margin + between_panels) / count - between_panels;
+    for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
+      const double begin = left + static_cast<double>(i) * (width + between_panels);
+      panel(chart_.panels[i], {begin, top, begin + width, bottom}, i == 0);
+    }
+    return std::move(out_);
+  }
+  double height() const { return lowest_ + margin - 4.0; }
+
+ private:
+  std::string colour(std::size_t series) const {
+    series %= colours.size();
+    return look_ == Look::page ? fmt::format("var(--series-{})", series + 1) : std::string(colours[series]);
+  }
+  std::string grid() const { return look_ == Look::page ? "var(--grid)" : "#cccccc"; }
+
+  // Of what is drawn along the axis. Intervals and bars lie along x where there are rows, else along y.
+  Range range_of(const Axis& axis, bool x, std::span<const Panel> panels) const {
+    if (axis.range) return axis.range->high > axis.range->low ? *axis.range : axis.range->with_room();
+    Range out;
+    bool from_zero = axis.from_zero;
+    for (const Panel& panel : panels) {
+      for (const Series& series : panel.series) {
+        from_zero = from_zero || (x == rows_ && series.bar > 0.0);
+        for (const Point& each : series.points) {
+          out.take(x ? each.x : each.y);
+          if (x != rows_ || series.interval == Interval::nothing) continue;
+          out.take(each.low);
+          out.take(each.high);
+        }
+      }
+    }
+    if (from_zero) out.take(0.0);
+    if (axis.logarithmic && out.low > 0.0 && !out.empty()) return {out.low / 1.1, out.high * 1.1};
+    Range roomy = out.with_room();
+    if (from_zero && out.low == 0.0) {
+      roomy.low = 0.0;
+    } else if (from_zero && out.high == 0.0) {
+      roomy.high = 0.0;
+    }
+    return roomy;
+  }
+
+  Html keyed(const Key& key) const {
+    Html out;
+    for (std::size_t i = 0; i < key.entries.size(); ++i) {
+      const Series& series = *key.entries[i];
+      const std::size_t column = i % key.columns.size();
+      Spot at{0.5 * (chart_.width - key.total()),
+              margin + key_height * (static_cast<double>(i / key.columns.size()) + 0.4)};
+      for (std::size_t before = 0; before < column; ++before) at.x += key.columns[before];
+      const Spot middle{at.x + 0.5 * sample, at.y};
+      if (series.bar > 0.0) {
+        out << drawn(R"(<rect x="{:.1f}" y="{:.1f}" width="12" height="12" fill="{}"/>)", middle.x - 4.0, at.y - 6.0,
+                     colour(series.colour));
+      } else {
+        if (series.join != Join::nothing || series.interval == Interval::whiskers)
+          out << stroked(line(at, {at.x + sample, at.y}), series, series.join == Join::dashes);
+        out << marks(series, {middle});
+      }
+      out << label(at.x + sample + 6.0, at.y + 5.0, "text-anchor", "start", shown(series.name));
+    }
+    return out;
+  }
+
+  Html stroked(const Html& path, const Series& series, bool dashes = false) const {
+    if (path.empty()) return {};
+    Html out = "<path d=\""_html;
+    return out << path
+               << drawn(R"(" fill="none" stroke="{}" stroke-width="{}"{}/>)", colour(series.colour),
+                        series.interval == Interval::whiskers || dashes ? 1.5 : 2.0,
+                        dashes ? " stroke-dasharray=\"6 4\"" : "");
+  }
+
+  Html marks(const Series& series, std::vector<Spot> at) const {
+    if (series.shape == Shape::nothing || at.empty()) return {};
+    Html out = drawn(R"(<g fill="{0}" stroke="{0}" stroke-width="{1}">)", colour(series.colour),
+                     series.shape == Shape::cross ? 1.5 : 0.0);
+    for (const Spot& each : at) out << mark(series.shape, each, series.size);
+    return out << "</g>\n"_html;
+  }
+
+  void panel(const Panel& of, Box box, bool first) {
+    Scale x;
+    std::vector<Tic> x_tics;
+    // The last text reaches over the end of the axis, which makes room for it at the end of the picture.
+    for (const bool known : {false, true}) {
+      if (known && !x_tics.empty()) {
+        const Tic& last = x_tics.back();
+        box.right -= std::max(0.0, x.at(last.at) + 0.5 * text_width(last.text) - (chart_.width - 4.0));
+      }
+      x = {range_of(of.x, true, {&of, 1}), of.x.logarithmic, box.left, box.right};
+      x_tics = tics(x, of.x.whole, false);
+    }
+    Html lines, ends, texts;
+    for (const Tic& each : rows_ ? x_tics : y_tics_) {
+      const double at = (rows_ ? x : y_).at(each.at);
+      lines << (rows_ ? line({at, box.top}, {at, box.bottom}) : line({box.left, at}, {box.right, at}));
+    }
+    if (rows_) {
+      for (double row = 0.5; row < y_.range.high; ++row) lines << line({box.left, y_.at(row)}, {box.right, y_.at(row)});
+    }
+    out_ << "<path d=\""_html << lines << drawn("\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\"/>\n", grid());
+    const Scale& values = rows_ ? x : y_;
+    if (!values.logarithmic && values.range.low < 0.0 && values.range.high > 0.0) {
+      const double zero = values.at(0.0);
+      out_ << stroked_thin(
+          rows_ ? line({zero, box.top}, {zero, box.bottom}) : line({box.left, zero}, {box.right, zero}), colour(grey));
+    }
+    for (const Series& each : of.series) {
+      if (each.interval == Interval::band) band(each, box, x);
+    }
+    for (const Series& each : of.series) series(each, box, x);
+
+    for (const Tic& each : x_tics) {
+      const double at = x.at(each.at);
+      ends << line({at, box.bottom}, {at, box.bottom + tic_length});
+      texts << label(at, box.bottom + tic_length + 15.0, "text-anchor", "middle", each.text);
+    }
+    for (const Tic& each : y_tics_) {
+      const double at = y_.at(each.at);
+      if (!rows_) ends << line({box.left - tic_length, at}, {box.left, at});
+      if (first) texts << label(box.left - 2.0 * tic_length, at + 5.0, "text-anchor", "end", each.text);
+    }
+    ends << way(std::initializer_list<Spot>{{box.left, box.top}, {box.left, box.bottom}, {box.right, box.bottom}});
+    out_ << stroked_thin(ends, ink()) << texts;
+    double below = box.bottom + tic_length + 17.0;
+    const double centre = 0.5 * (box.left + box.right);
+    const double room = chart_.panels.size() == 1 ? 2.0 * std::min(centre, chart_.width - centre) - 2.0 * margin
+                                                  : box.right - box.left + 0.5 * between_panels;
+    for (const std::string& each : in_lines(of.x.title, room)) {
+      below += line_height;
+      out_ << label(centre, below - 1.0, "text-anchor", "middle", each);
+    }
+    out_ << "\n"_html;
+    lowest_ = std::max(lowest_, below);
+  }
+
+  std::string ink() const { return look_ == Look::page ? "currentColor" : "#000000"; }
+  static Html stroked_thin(const Html& path, const std::string& stroke) {
+    Html out = "<path d=\""_html;
+    return out << path << drawn("\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"/>\n", stroke);
+  }
+
+  // Where a point lies, and the end of its interval, which may be infinite.
+  Spot spot(const Point& point, const Scale& x) const { return {x.at(point.x), y_.at(point.y)}; }
+  Spot end_of(const Point& point, double end, const Scale& x) const {
+    return rows_ ? Spot{x.at(end), y_.at(point.y)} : Spot{x.at(point.x), y_.at(end)};
+  }
+  static bool lies(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
+  static bool bounded(const Point& point) {
+    return !std::isnan(point.low) && !std::isnan(point.high) && (std::isfinite(point.low) || std::isfinite(point.high));
+  }
+
+  void band(const Series& of, const Box& box, const Scale& x) {
+    std::vector<Spot> upper, lower;
+    const auto end_band = [&] {
+      const auto cut = [&](const std::vector<Spot>& spots) {
+        std::vector<Spot> out = with_crossings(spots, box);
+        for (Spot& each : out) each = box.nearest(each);
+        return out;
+      };
+      if (upper.size() > 1) {
+        std::vector<Spot> all = cut(upper);
+        std::ranges::reverse(lower);
+        std::ranges::copy(cut(lower), std::back_inserter(all));
+        out_ << "<path d=\""_html << way(all) << drawn("z\" fill=\"{}\" fill-opacity=\"0.18\"/>\n", colour(of.colour));
+      }
+      upper.clear();
+      lower.clear();
+    };
+    for (const Point& each : of.points) {
+      const double at = x.at(each.x);
+      if (!std::isfinite(at) || !bounded(each)) {
+        end_band();
+        continue;
+      }
+      const double low = y_.at(each.low), high = y_.at(each.high);
+      lower.push_back({at, std::isfinite(low) ? low : box.bottom});
+      upper.push_back({at, std::isfinite(high) ? high : box.top});
+    }
+    end_band();
+  }
+
+  void bars(const Series& of, const Box& box, const Scale& x) {
+    Html rects;
+    for (const Point& each : of.points) {
+      const Spot middle = spot(each, x);
+      if (!lies(middle)) continue;
+      const double half = 0.5 * of.bar;
+      const Spot base = end_of(each, std::isnan(each.low) ? 0.0 : each.low, x);
+      const Spot one = box.nearest(rows_ ? Spot{base.x, y_.at(each.y - half)} : Spot{x.at(each.x - half), base.y});
+      const Spot other =
+          box.nearest(rows_ ? Spot{middle.x, y_.at(each.y + half)} : Spot{x.at(each.x + half), middle.y});
+      if (std::abs(one.x - other.x) < 0.05 || std::abs(one.y - other.y) < 0.05) continue;
+      rects << drawn(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)", std::min(one.x, other.x),
+                     std::min(one.y, other.y), std::abs(one.x - other.x), std::abs(one.y - other.y));
+    }
+    if (!rects.empty()) out_ << drawn("<g fill=\"{}\">", colour(of.colour)) << rects << "</g>\n"_html;
+  }
+
+  void whiskers(const Series& of, const Box& box, const Scale& x) {
+    Html path;
+    for (const Point& each : of.points) {
+      if (!lies(spot(each, x)) || !bounded(each)) continue;
+      const Spot low = end_of(each, each.low, x), high = end_of(each, each.high, x);
+      path << line(box.nearest(low), box.nearest(high));
+      for (const Spot& end : {low, high}) {
+        if (!box.holds(end)) continue;
+        path << (rows_ ? line({end.x, end.y - cap}, {end.x, end.y + cap})
+                       : line({end.x - cap, end.y}, {end.x + cap, end.y}));
+      }
+    }
+    out_ << stroked(path, of);
+  }
+
+  void series(const Series& of, const Box& box, const Scale& x) {
+    if (of.bar > 0.0) bars(of, box, x);
+    if (of.interval == Interval::whiskers) whiskers(of, box, x);
+    Html path;
+    std::vector<Spot> run, shapes;
+    const auto end_run = [&] {
+      path << way_within(run, box);
+      run.clear();
+    };
+    for (std::size_t i = 0; i < of.points.size(); ++i) {
+      const Spot at = spot(of.points[i], x);
+      if (!lies(at)) {
+        end_run();
+        continue;
+      }
+      if (of.join == Join::steps && !run.empty()) run.push_back({at.x, run.back().y});
+      run.push_back(at);
+      if (i % of.every == 0 && box.holds(at)) shapes.push_back(at);
+    }
+    end_run();
+    if (of.join != Join::nothing) out_ << stroked(path, of, of.join == Join::dashes);
+    out_ << marks(of, std::move(shapes));
+  }
+
+  const Chart& chart_;
+  Look look_;
+  bool rows_;
+  Scale y_;
+  std::vector<Tic> y_tics_;
+  Html out_;
+  double lowest_ = 0.0;
+};
+
+}  // namespace
+
+Html svg(const Figure& figure, Look look) {
+  Painter painter(figure.chart, look);
+  const Html picture = painter.picture();
+  const double width = figure.chart.width, height = painter.height();
+  if (look == Look::page) {
+    Html out = drawn(R"(<svg role="img" viewBox="0 0 {:.0f} {:.0f}" font-size="14" fill="currentColor" aria-label=")",
+                     width, height);
+    return out << text(figure.title) << ": "_html << text(figure.description) << "\">\n"_html << picture
+               << "</svg>\n"_html;
+  }
+  Html out = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"_html;
+  return out << texts::sheet(width, height) << "<title>"_html << text(figure.title) << "</title><desc>"_html
+             << text(figure.description) << "</desc>\n<g font-family=\"sans-serif\" font-size=\"14\">\n"_html << picture
+             << "</g></svg>\n"_html;
+}
+
+}  // namespace regista::report
