@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <utility>
 
 namespace regista::report {
 namespace {
@@ -94,20 +95,22 @@ double tic_step(double length, int most) {
 
 std::vector<Tic> tics(const Scale& scale, bool whole, bool upright) {
   const Range& range = scale.range;
-  std::vector<Tic> out;
   // Within one power of ten a logarithmic axis has the tics of a linear one.
-  if (scale.logarithmic && range.high >= 10.0 * range.low) {
-    if (out = decades(range, {1.0, 2.0, 5.0}, 1); apart(out, scale, upright)) return out;
-    for (int stride = 1; stride < 700; ++stride) {
-      if (out = decades(range, {1.0}, stride); apart(out, scale, upright)) return out;
+  if (scale.logarithmic && range.low > 0.0 && range.high >= 10.0 * range.low) {
+    if (std::vector<Tic> out = decades(range, {1.0, 2.0, 5.0}, 1); apart(out, scale, upright)) return out;
+    for (int stride = 1;; ++stride) {
+      if (std::vector<Tic> out = decades(range, {1.0}, stride); apart(out, scale, upright)) return out;
     }
   }
-  for (int most = upright ? 6 : 10; most > 0; --most) {
+  std::vector<Tic> out;
+  for (int most = upright ? 8 : 10; most > 0; --most) {
     const double step = tic_step(range.high - range.low, most);
-    out = linear_tics(range, whole ? std::max(1.0, step) : step);
+    std::vector<Tic> fewer = linear_tics(range, whole ? std::max(1.0, step) : step);
+    if (fewer.empty()) break;
+    out = std::move(fewer);
     if (apart(out, scale, upright)) return out;
   }
-  out.resize(1);
+  if (out.size() > 1) out.resize(1);
   return out;
 }
 
@@ -122,19 +125,31 @@ double text_width(std::string_view text) {
 }
 
 std::vector<std::string> in_lines(std::string_view text, double width) {
-  std::vector<std::string> out;
-  while (text_width(text) > width) {
-    std::size_t fits = next_character(text, 0), broken = 0;
-    for (std::size_t end = fits; end < text.size() && text_width(text.substr(0, end)) <= width;
-         end = next_character(text, end)) {
-      fits = end;
-      if (std::string_view(" ._-/,").find(text[end - 1]) != std::string_view::npos) broken = end;
+  const auto broken = [text](double within) {
+    std::vector<std::string> out;
+    std::string_view rest = text;
+    while (text_width(rest) > within) {
+      std::size_t fits = next_character(rest, 0), space = 0, sign = 0;
+      for (std::size_t end = fits; end < rest.size() && text_width(rest.substr(0, end)) <= within;
+           end = next_character(rest, end)) {
+        fits = end;
+        if (rest[end] == ' ') space = end;
+        if (std::string_view("._-/,").find(rest[end - 1]) != std::string_view::npos) sign = end;
+      }
+      const std::size_t end = space > 0 ? space : sign > 0 ? sign : std::min(fits, rest.size());
+      out.emplace_back(rest.substr(0, end));
+      rest.remove_prefix(end == space ? end + 1 : end);
     }
-    const std::size_t end = broken > 0 ? broken : fits;
-    out.emplace_back(text.substr(0, end));
-    text.remove_prefix(std::min(end, text.size()));
+    if (!rest.empty()) out.emplace_back(rest);
+    return out;
+  };
+  std::vector<std::string> out = broken(width);
+  // No line is much shorter than the others.
+  for (double narrower = width - letter; narrower > letter; narrower -= letter) {
+    std::vector<std::string> even = broken(narrower);
+    if (even.size() > out.size()) break;
+    out = std::move(even);
   }
-  if (!text.empty()) out.emplace_back(text);
   return out;
 }
 

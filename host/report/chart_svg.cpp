@@ -181,28 +181,33 @@ class Painter {
   // Of what is drawn along the axis. Intervals and bars lie along x where there are rows, else along y.
   Range range_of(const Axis& axis, bool x, std::span<const Panel> panels) const {
     if (axis.range) return axis.range->high > axis.range->low ? *axis.range : axis.range->with_room();
-    Range out;
+    Range values, ends;
+    const auto take = [&axis](Range& range, double value) {
+      if (value > 0.0 || !axis.logarithmic) range.take(value);
+    };
     bool from_zero = axis.from_zero;
     for (const Panel& panel : panels) {
       for (const Series& series : panel.series) {
         from_zero = from_zero || (x == rows_ && series.bar > 0.0);
         for (const Point& each : series.points) {
-          out.take(x ? each.x : each.y);
+          take(values, x ? each.x : each.y);
           if (x != rows_ || series.interval == Interval::nothing) continue;
-          out.take(each.low);
-          out.take(each.high);
+          take(ends, each.low);
+          take(ends, each.high);
         }
       }
     }
-    if (from_zero) out.take(0.0);
-    if (axis.logarithmic && out.low > 0.0 && !out.empty()) return {out.low / 1.1, out.high * 1.1};
-    Range roomy = out.with_room();
-    if (from_zero && out.low == 0.0) {
-      roomy.low = 0.0;
-    } else if (from_zero && out.high == 0.0) {
-      roomy.high = 0.0;
+    if (from_zero) take(values, 0.0);
+    for (const double each : {values.low, values.high}) take(ends, each);
+    if (axis.logarithmic) return ends.empty() ? Range{1.0, 10.0} : Range{ends.low / 1.1, ends.high * 1.1};
+    Range out = ends.with_room();
+    // A whisker that reaches beyond what can be is cut off.
+    if (from_zero && values.low == 0.0) {
+      out.low = 0.0;
+    } else if (from_zero && values.high == 0.0) {
+      out.high = 0.0;
     }
-    return roomy;
+    return out;
   }
 
   Html keyed(const Key& key) const {

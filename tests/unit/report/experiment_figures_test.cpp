@@ -2,13 +2,13 @@
 // Every measure that an experiment names is seen in a figure as wide as the page.
 #include "report/experiment_figures.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "report/gnuplot.hpp"
 #include "unit/study/experiment_fixture.hpp"
 
 namespace regista::report {
@@ -52,7 +52,7 @@ TEST(ExperimentFigures, OneForEachMeasureThePrimaryOneFirst) {
   EXPECT_THAT(names(figures(measuring(2, 3, {"striker.overlap_seconds", "packets"}))),
               ElementsAre("sweep_2", "sweep_1"));
   for (const Figure& each : figures(measuring(2, 1, {"striker.overlap_seconds", "packets"}))) {
-    EXPECT_GT(each.width, 1100) << each.name;
+    EXPECT_GT(each.chart.width, 1100) << each.name;
     EXPECT_TRUE(is_experiment_figure(each.name));
   }
   for (const char* other : {"measure_", "measure_x", "measure_1234", "measure", "convergence"}) {
@@ -67,7 +67,8 @@ TEST(ExperimentFigures, ArmsHaveTheirMeansAndIntervals) {
   EXPECT_THAT(drawn[0].csv, AllOf(StartsWith("arm,mean,low,high\narm 0,100.5,99.58"), HasSubstr(",101.41"),
                                   HasSubstr("\narm 1,101.5,100.58")));
   EXPECT_THAT(drawn[0].description, HasSubstr("95 %"));
-  EXPECT_THAT(drawn[0].commands, HasSubstr("'packets'.', per match'"));
+  EXPECT_EQ(drawn[0].chart.panels.at(0).x.title, "packets, per match");
+  EXPECT_THAT(drawn[0].chart.rows, ElementsAre("arm 0", "arm 1"));
 }
 
 TEST(ExperimentFigures, PanelsOfRolesAreThoseThatMeasuresName) {
@@ -80,25 +81,37 @@ config::Node text(const char* value) { return config::Node::scalar(value, false,
 
 TEST(ExperimentFigures, ValuesThatAreNoNumbersHaveRows) {
   ExperimentPlan plan = measuring(2, 2, {"packets"});
-  EXPECT_THAT(figures(plan)[0].commands, HasSubstr("filledcurves"));
+  EXPECT_EQ(figures(plan)[0].chart.panels.at(0).series.at(0).interval, Interval::band);
   plan.asked.sweep->values = {text("a long name of a value that would not fit beside others"), text("b")};
   const Figure figure = figures(plan)[0];
-  EXPECT_THAT(figure.commands, AllOf(HasSubstr("set ytics scale 0 ('\"a long"), Not(HasSubstr("filledcurves"))));
+  EXPECT_THAT(figure.chart.rows, ElementsAre("\"a long name of a value that would not fit beside others\"", "b"));
+  EXPECT_EQ(figure.chart.panels.at(0).series.at(0).interval, Interval::whiskers);
   EXPECT_THAT(figure.csv, HasSubstr("\n1,b,"));
 }
 
-TEST(ExperimentFigures, GnuplotDrawsThem) {
+TEST(ExperimentFigures, TheirPicturesNameEveryArm) {
   ExperimentPlan rows = measuring(3, 2, {"packets"});
   rows.asked.sweep->values = {text("a"), text("b")};
   for (const ExperimentPlan& plan :
        {measuring(3, 1, {"packets", "goals", "striker.switches", "striker.overlap_seconds"}),
         measuring(9, 3, {"packets"}), rows}) {
     for (const Figure& each : figures(plan)) {
-      const Drawing drawing = draw(each, Png::left_out);
-      if (drawing.no_gnuplot) GTEST_SKIP() << "gnuplot is not installed";
-      EXPECT_EQ(drawing.why_not, "") << each.name;
-      EXPECT_THAT(drawing.svg, HasSubstr("arm 0")) << each.name;
+      for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
+        EXPECT_THAT(svg(each, Look::page).str(), HasSubstr(fmt::format(">arm {}</text>", arm))) << each.name;
+      }
     }
+  }
+}
+
+// What is told is what is drawn: the first arm's mean and its interval.
+TEST(ExperimentFigures, TheChartHasTheNumbersOfItsTable) {
+  for (const ExperimentPlan& plan : {measuring(2, 1, {"packets"}), measuring(2, 3, {"packets"})}) {
+    const Figure figure = figures(plan)[0];
+    const Point point = figure.chart.panels.at(0).series.at(0).points.at(0);
+    const double mean = figure.chart.rows.empty() ? point.y : point.x;
+    EXPECT_THAT(figure.csv, HasSubstr(fmt::format(",{},{},{}", mean, point.low, point.high)));
+    EXPECT_LT(point.low, mean);
+    EXPECT_LT(mean, point.high);
   }
 }
 

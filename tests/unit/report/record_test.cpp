@@ -283,8 +283,7 @@ TEST(Figures, MarksOfAnAxisStandApart) {
     }
   }
   EXPECT_EQ(tic_step(1000.0, 5), 200.0);
-  EXPECT_EQ(whole_tic_step(3.0, 8), 1.0);
-  EXPECT_EQ(whole_tic_step(0.0, 8), 1.0);
+  EXPECT_EQ(tic_step(0.0, 8), 1.0);
 }
 
 TEST(Figures, NothingToShowIsNoFigure) {

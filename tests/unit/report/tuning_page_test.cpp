@@ -12,14 +12,21 @@ namespace regista::report {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string page_of(const TunedCourse& course, const std::string& why_not = "gnuplot is not installed") {
-  std::vector<PageFigure> figures;
-  for (Figure& each : tuning_figures(course.view())) figures.push_back({std::move(each), "", why_not});
-  return tuning_page({course.view(), std::move(figures), {"weights.db", "1.2.3", "9f2c", "Of its own."}});
+std::string page_of(const TunedCourse& course) {
+  return tuning_page({course.view(), tuning_figures(course.view()), {"weights.db", "1.2.3", "9f2c", "Of its own."}});
+}
+
+std::vector<std::string> names_in_key(const Figure& figure) {
+  std::vector<std::string> out;
+  for (const Series& each : figure.chart.panels.at(0).series) {
+    if (!each.name.empty()) out.push_back(each.name);
+  }
+  return out;
 }
 
 // A tuned team that forfeits a match of the search.
@@ -40,7 +47,7 @@ TEST(TuningPage, HasItsPartsInTheirOrder) {
                           HasSubstr("9f2c"), HasSubstr("regista report weights.db --study again"),
                           HasSubstr("Of its own."), HasSubstr("document of spqr"), HasSubstr("the team that is tuned"),
                           HasSubstr("how much the distance counts")));
-  EXPECT_EQ(count(page, "Here a figure is missing: gnuplot is not installed"), 4u);
+  EXPECT_EQ(count(page, "<figure>\n<svg "), 4u);
   EXPECT_EQ(page, page_of(course));
 }
 
@@ -67,15 +74,13 @@ TEST(TuningPage, NoNameGetsOutOfItsPlace) {
     for (campaign::Job& job : each.jobs) job.home_inputs = job.away_inputs = job.common_inputs = {{hostile, hostile}};
   }
   shown.objective.terms[0].measure = hostile;
-  const std::string page = page_of(course, hostile);
+  const std::string page = page_of(course);
   for (const char* each : {"<script", "<img", "\u202e"}) EXPECT_EQ(count(page, each), 0u);
   EXPECT_EQ(count(page, "</title>"), 1u);
   EXPECT_EQ(count(page, "</style>"), 1u);
   EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
   EXPECT_EQ(count(page, "<td"), count(page, "</td>"));
-  // Nor do commands get into the scripts of figures.
   for (const Figure& each : tuning_figures(course.view())) {
-    EXPECT_THAT(each.commands, Not(HasSubstr("'>")));
     EXPECT_THAT(each.title, Not(HasSubstr("\n")));
     EXPECT_THAT(each.csv, Not(HasSubstr("\"\"")));
   }
@@ -94,12 +99,16 @@ TEST(TuningFigures, TheirNamesAndTables) {
     EXPECT_FALSE(is_tuning_figure(each));
   }
   EXPECT_EQ(count(figures[0].csv, "\n"), course.record.trace.size() + 1);
-  EXPECT_THAT(figures[0].commands, AllOf(HasSubstr("'tuned, verified'"), HasSubstr("'base team, verified'")));
+  EXPECT_THAT(names_in_key(figures[0]),
+              ElementsAre("an evaluation", "best so far", "tuned, verified", "base team, verified"));
   for (const std::size_t i : {2u, 3u}) {
     EXPECT_EQ(count(figures[i].csv, ",1\n"), 1u);  // the tuned point
     const bool bearing = figures[i].title == "weights.bearing";
-    EXPECT_EQ(count(figures[i].commands, "set logscale x"), bearing ? 1u : 0u);
-    EXPECT_THAT(figures[i].commands, HasSubstr(bearing ? "from first 1," : "from first 5,"));  // the base team's
+    const Panel& panel = figures[i].chart.panels.at(0);
+    EXPECT_EQ(panel.x.logarithmic, bearing);
+    const auto base = std::ranges::find(panel.series, Join::dashes, &Series::join);
+    ASSERT_NE(base, panel.series.end());
+    for (const Point& each : base->points) EXPECT_EQ(each.x, bearing ? 1.0 : 5.0);  // the base team's
   }
   EXPECT_TRUE(tuning_figures(TunedCourse(tuning_plan(), peak, 0).view()).empty());
 }
@@ -121,7 +130,13 @@ TEST(TuningFigures, ForfeitsStandAtTheBottom) {
   const TunedCourse course(plan, [&](const campaign::Job& job) { return with_a_forfeit(plan, job, "x"); });
   ASSERT_TRUE(std::ranges::any_of(course.record.trace, [](const auto& each) { return each.played.failed; }));
   const Figure figure = tuning_figures(course.view()).front();
-  EXPECT_THAT(figure.commands, HasSubstr("'forfeited'"));
+  EXPECT_THAT(names_in_key(figure), Contains("forfeited"));
+  const Chart& chart = figure.chart;
+  for (const Series& each : chart.panels.at(0).series) {
+    if (each.name != "forfeited") continue;
+    EXPECT_EQ(each.shape, Shape::cross);
+    for (const Point& point : each.points) EXPECT_EQ(point.y, chart.y.range.value().low);
+  }
   EXPECT_THAT(figure.csv, Not(HasSubstr(",-10,")));
 }
 
