@@ -14,7 +14,6 @@ import json
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import xml.etree.ElementTree
@@ -49,8 +48,7 @@ def digest_of(test, inputs, digests):
     """Nothing for a test that does not say what it reads."""
     if not inputs.exists():
         return None
-    # Tests skip where the program that draws figures is not there.
-    parts = [json.dumps(test.get("command")), json.dumps(test["properties"]), str(shutil.which("gnuplot"))]
+    parts = [json.dumps(test.get("command")), json.dumps(test["properties"])]
     for line in inputs.read_text().splitlines():
         path = re.search(r"/[^\"]*", line)  # of a definition: what stands between the quotes
         parts.append(f"{line} {digests.of(pathlib.Path(path[0])) if path else ''}")

@@ -176,8 +176,7 @@ Child Child::program(const Setting& setting, const Program& program) {
   const pid_t process = forked();
   if (process == 0) {
     errno = 0;
-    if (become_child(setting, parent) && (program.folder.empty() || ::chdir(program.folder.c_str()) == 0))
-      ::execvpe(program.file.c_str(), words.data(), variables);
+    if (become_child(setting, parent)) ::execvpe(program.file.c_str(), words.data(), variables);
     const int error = errno;
     (void)!::write(reason.write.number, &error, sizeof error);
     ::_exit(Child::never_began);

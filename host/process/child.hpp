@@ -95,7 +95,6 @@ class Child {
     std::string file = {};                                 // where it has no '/', it is looked for in PATH
     std::vector<std::string> words;                        // with the program's name
     std::optional<std::span<char* const>> variables = {};  // "NAME=VALUE" and a null; nothing: those of this process
-    std::string folder = {};                               // in which it runs; empty: the current one
   };
   static constexpr const char* this_program = "/proc/self/exe";  // also when its file has been replaced meanwhile
   // Throws std::system_error with the reason when it can't be started.

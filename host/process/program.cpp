@@ -62,21 +62,14 @@ std::string quoted(const std::string& word) {
 ProgramEnd run_program(const ProgramCall& call) {
   ProgramEnd out;
   Pipe output = make_pipe(), errors = make_pipe();
-  Child::Program program{call.words.front(), call.words, std::nullopt, call.folder.string()};
-  std::vector<char*> variables;
-  if (call.environment) {
-    variables = pointers(*call.environment);
-    program.variables = variables;
-  }
   Setting setting{.files = {{output.write.number, 1}, {errors.write.number, 2}},
                   .limits = {.core_file = true},
                   .outlives_parent = true};
   Child running;
   try {
-    running = Child::program(setting, program);
+    running = Child::program(setting, {call.words.front(), call.words, std::nullopt});
   } catch (const std::system_error& error) {
-    const bool has_folder = call.folder.empty() || std::filesystem::is_directory(call.folder);
-    if (error.code() != std::errc::no_such_file_or_directory || !has_folder) throw;
+    if (error.code() != std::errc::no_such_file_or_directory) throw;
     out.found = false;
     return out;
   }

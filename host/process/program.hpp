@@ -5,7 +5,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,11 +15,9 @@
 namespace regista::process {
 
 struct ProgramCall {
-  std::vector<std::string> words;                            // the program, looked for in PATH, and its arguments
-  std::filesystem::path folder = {};                         // in which it runs; empty: the current one
-  std::optional<std::vector<std::string>> environment = {};  // NAME=VALUE; nothing: that of this process
-  std::optional<std::chrono::milliseconds> patience = {};    // then it is killed; nothing: it may take for ever
-  std::size_t longest_text = std::size_t{64} << 20;          // bytes of each of its texts; the rest is left out
+  std::vector<std::string> words;                          // the program, looked for in PATH, and its arguments
+  std::optional<std::chrono::milliseconds> patience = {};  // then it is killed; nothing: it may take for ever
+  std::size_t longest_text = std::size_t{64} << 20;        // bytes of each of its texts; the rest is left out
 };
 
 struct ProgramEnd {

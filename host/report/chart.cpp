@@ -103,7 +103,7 @@ std::vector<Tic> tics(const Scale& scale, bool whole, bool upright) {
     }
   }
   std::vector<Tic> out;
-  for (int most = upright ? 8 : 10; most > 0; --most) {
+  for (int most = 10; most > 0; --most) {
     const double step = tic_step(range.high - range.low, most);
     std::vector<Tic> fewer = linear_tics(range, whole ? std::max(1.0, step) : step);
     if (fewer.empty()) break;

@@ -20,7 +20,7 @@ using texts::drawn;
 using texts::label;
 
 constexpr double margin = 10.0, line_height = 18.0, key_height = 20.0, sample = 24.0, tic_length = 4.0,
-                 between_panels = 34.0, cap = 4.0;
+                 between_panels = 34.0, cap = 3.0;
 constexpr std::size_t longest_text = 32;  // characters
 
 std::string shown(std::string_view words) { return texts::visible_at_most(words, longest_text); }
@@ -144,13 +144,9 @@ class Painter {
     const double top = margin + key.height(), bottom = top + chart_.height;
     y_ = rows_ ? Scale{{-0.5, static_cast<double>(chart_.rows.size()) - 0.5}, false, top, bottom}
                : Scale{range_of(chart_.y, false, chart_.panels), chart_.y.logarithmic, bottom, top};
+    for (const std::string& row : chart_.rows) y_tics_.push_back({static_cast<double>(y_tics_.size()), shown(row)});
+    if (!rows_) y_tics_ = tics(y_, chart_.y.whole, true);
     double names = 0.0;
-    if (rows_) {
-      for (std::size_t i = 0; i < chart_.rows.size(); ++i)
-        y_tics_.push_back({static_cast<double>(i), shown(chart_.rows[i])});
-    } else {
-      y_tics_ = tics(y_, chart_.y.whole, true);
-    }
     for (const Tic& each : y_tics_) names = std::max(names, text_width(each.text));
     const std::vector<std::string> title = in_lines(chart_.y.title, chart_.height);
     const double left = margin + line_height * static_cast<double>(title.size()) + names + 2.0 * tic_length;
@@ -176,7 +172,6 @@ class Painter {
     series %= colours.size();
     return look_ == Look::page ? fmt::format("var(--series-{})", series + 1) : std::string(colours[series]);
   }
-  std::string grid() const { return look_ == Look::page ? "var(--grid)" : "#cccccc"; }
 
   // Of what is drawn along the axis. Intervals and bars lie along x where there are rows, else along y.
   Range range_of(const Axis& axis, bool x, std::span<const Panel> panels) const {
@@ -202,11 +197,7 @@ class Painter {
     if (axis.logarithmic) return ends.empty() ? Range{1.0, 10.0} : Range{ends.low / 1.1, ends.high * 1.1};
     Range out = ends.with_room();
     // A whisker that reaches beyond what can be is cut off.
-    if (from_zero && values.low == 0.0) {
-      out.low = 0.0;
-    } else if (from_zero && values.high == 0.0) {
-      out.high = 0.0;
-    }
+    if (from_zero && (values.low == 0.0 || values.high == 0.0)) (values.low == 0.0 ? out.low : out.high) = 0.0;
     return out;
   }
 
@@ -224,7 +215,7 @@ class Painter {
                      colour(series.colour));
       } else {
         if (series.join != Join::nothing || series.interval == Interval::whiskers)
-          out << stroked(line(at, {at.x + sample, at.y}), series, series.join == Join::dashes);
+          out << joined(line(at, {at.x + sample, at.y}), series);
         out << marks(series, {middle});
       }
       out << label(at.x + sample + 6.0, at.y + 5.0, "text-anchor", "start", shown(series.name));
@@ -232,13 +223,16 @@ class Painter {
     return out;
   }
 
-  Html stroked(const Html& path, const Series& series, bool dashes = false) const {
+  static Html stroked(const Html& path, const std::string& stroke, double width, bool dashes = false) {
     if (path.empty()) return {};
     Html out = "<path d=\""_html;
     return out << path
-               << drawn(R"(" fill="none" stroke="{}" stroke-width="{}"{}/>)", colour(series.colour),
-                        series.interval == Interval::whiskers || dashes ? 1.5 : 2.0,
+               << drawn("\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{}/>\n", stroke, width,
                         dashes ? " stroke-dasharray=\"6 4\"" : "");
+  }
+  Html joined(const Html& path, const Series& series) const {
+    const bool dashes = series.join == Join::dashes;
+    return stroked(path, colour(series.colour), dashes || series.interval == Interval::whiskers ? 1.5 : 2.0, dashes);
   }
 
   Html marks(const Series& series, std::vector<Spot> at) const {
@@ -261,21 +255,18 @@ class Painter {
       x = {range_of(of.x, true, {&of, 1}), of.x.logarithmic, box.left, box.right};
       x_tics = tics(x, of.x.whole, false);
     }
-    Html lines, ends, texts;
-    for (const Tic& each : rows_ ? x_tics : y_tics_) {
-      const double at = (rows_ ? x : y_).at(each.at);
-      lines << (rows_ ? line({at, box.top}, {at, box.bottom}) : line({box.left, at}, {box.right, at}));
-    }
-    if (rows_) {
-      for (double row = 0.5; row < y_.range.high; ++row) lines << line({box.left, y_.at(row)}, {box.right, y_.at(row)});
-    }
-    out_ << "<path d=\""_html << lines << drawn("\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.7\"/>\n", grid());
     const Scale& values = rows_ ? x : y_;
-    if (!values.logarithmic && values.range.low < 0.0 && values.range.high > 0.0) {
-      const double zero = values.at(0.0);
-      out_ << stroked_thin(
-          rows_ ? line({zero, box.top}, {zero, box.bottom}) : line({box.left, zero}, {box.right, zero}), colour(grey));
-    }
+    const auto level = [&](double value) {
+      const double at = values.at(value);
+      return rows_ ? line({at, box.top}, {at, box.bottom}) : line({box.left, at}, {box.right, at});
+    };
+    Html lines, ends, texts;
+    for (const Tic& each : rows_ ? x_tics : y_tics_) lines << level(each.at);
+    for (double row = 0.5; rows_ && row < y_.range.high; ++row)
+      lines << line({box.left, y_.at(row)}, {box.right, y_.at(row)});
+    out_ << stroked(lines, look_ == Look::page ? "var(--grid)" : "#cccccc", 0.7);
+    if (!values.logarithmic && values.range.low < 0.0 && values.range.high > 0.0)
+      out_ << stroked(level(0.0), colour(grey), 0.8);
     for (const Series& each : of.series) {
       if (each.interval == Interval::band) band(each, box, x);
     }
@@ -292,7 +283,7 @@ class Painter {
       if (first) texts << label(box.left - 2.0 * tic_length, at + 5.0, "text-anchor", "end", each.text);
     }
     ends << way(std::initializer_list<Spot>{{box.left, box.top}, {box.left, box.bottom}, {box.right, box.bottom}});
-    out_ << stroked_thin(ends, ink()) << texts;
+    out_ << stroked(ends, look_ == Look::page ? "currentColor" : "#000000", 0.8) << texts;
     double below = box.bottom + tic_length + 17.0;
     const double centre = 0.5 * (box.left + box.right);
     const double room = chart_.panels.size() == 1 ? 2.0 * std::min(centre, chart_.width - centre) - 2.0 * margin
@@ -303,12 +294,6 @@ class Painter {
     }
     out_ << "\n"_html;
     lowest_ = std::max(lowest_, below);
-  }
-
-  std::string ink() const { return look_ == Look::page ? "currentColor" : "#000000"; }
-  static Html stroked_thin(const Html& path, const std::string& stroke) {
-    Html out = "<path d=\""_html;
-    return out << path << drawn("\" fill=\"none\" stroke=\"{}\" stroke-width=\"0.8\"/>\n", stroke);
   }
 
   // Where a point lies, and the end of its interval, which may be infinite.
@@ -380,7 +365,7 @@ class Painter {
                        : line({end.x - cap, end.y}, {end.x + cap, end.y}));
       }
     }
-    out_ << stroked(path, of);
+    out_ << joined(path, of);
   }
 
   void series(const Series& of, const Box& box, const Scale& x) {
@@ -403,7 +388,7 @@ class Painter {
       if (i % of.every == 0 && box.holds(at)) shapes.push_back(at);
     }
     end_run();
-    if (of.join != Join::nothing) out_ << stroked(path, of, of.join == Join::dashes);
+    if (of.join != Join::nothing) out_ << joined(path, of);
     out_ << marks(of, std::move(shapes));
   }
 

@@ -60,10 +60,9 @@ Axis value_axis(const study::ExperimentPlan& plan) {
 std::optional<Figure> arms_figure(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   const std::string& path = plan.measures[measure];
-  Figure out;
-  out.name = fmt::format("measure_{}", measure + 1);
-  out.title = texts::visible(path);
-  out.description = description(plan, path, "intervals");
+  Figure out{.name = fmt::format("measure_{}", measure + 1),
+             .title = texts::visible(path),
+             .description = description(plan, path, "intervals")};
   out.csv = "arm,mean,low,high\n";
   Panel panel{.x = {.title = measure_title(path)}};
   bool any = false;
@@ -93,10 +92,9 @@ std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measu
   const bool numbers =
       std::ranges::all_of(plan.value_texts(), [](const auto& each) { return number_of(each).has_value(); });
   bool any = false;
-  Figure out;
-  out.name = fmt::format("sweep_{}", measure + 1);
-  out.title = fmt::format("{} over {}", texts::visible(path), texts::visible(plan.sweep()));
-  out.description = description(plan, path, numbers ? "bands" : "intervals");
+  Figure out{.name = fmt::format("sweep_{}", measure + 1),
+             .title = fmt::format("{} over {}", texts::visible(path), texts::visible(plan.sweep())),
+             .description = description(plan, path, numbers ? "bands" : "intervals")};
   out.csv = "x," + figure_field(plan.sweep()) + names_of_arms(plan) + '\n';
   Panel panel;
   for (std::size_t arm = 0; arm < arms; ++arm) {
@@ -202,9 +200,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
   std::ranges::copy_if(measures_by_role, std::back_inserter(shown), [&](const RoleMeasure& each) {
     return std::ranges::any_of(plan.measures, [&](const std::string& measure) { return each.is(measure); });
   });
-  Figure out;
-  out.name = "roles";
-  out.title = title_of(shown);
+  Figure out{.name = "roles", .title = title_of(shown)};
   out.csv = "role";
   for (const RoleMeasure& each : shown) {
     out.description += fmt::format("{}{}: {}", out.description.empty() ? "" : "; ", each.name, each.meaning);

@@ -30,15 +30,6 @@ struct Banded {
   statistics::Estimate estimate;
 };
 
-std::string banded_csv(std::span<const Banded> points, const char* value) {
-  std::string out = fmt::format("pair,{},low,high\n", value);
-  for (const auto& [pair, estimate] : points) {
-    out += fmt::format("{},{},{},{}\n", pair, figure_field(estimate.value), figure_field(estimate.interval.low),
-                       figure_field(estimate.interval.high));
-  }
-  return out;
-}
-
 // The first pairs of many say next to nothing, and would make the rest too small to be seen: the axis is that of the
 // others.
 Range range_of(std::span<const Banded> points) {
@@ -56,15 +47,21 @@ Axis pairs_axis(std::uint64_t last) {
   return {.title = "pairs", .range = Range{0.0, static_cast<double>(std::max<std::uint64_t>(last, 2))}, .whole = true};
 }
 
-Chart banded_chart(std::span<const Banded> points, const char* axis) {
+// Table and chart of a curve. `value`: its name in the table.
+void draw_banded(Figure& figure, std::span<const Banded> points, const char* value, const char* axis) {
   Series curve{.join = Join::line,
                .shape = points.size() > many_points ? Shape::nothing : Shape::circle,
                .size = 2.5,
                .interval = Interval::band};
+  figure.csv = fmt::format("pair,{},low,high\n", value);
   for (const auto& [pair, estimate] : points) {
-    curve.points.push_back({static_cast<double>(pair), estimate.value, estimate.interval.low, estimate.interval.high});
+    const auto& [low, high] = estimate.interval;
+    figure.csv +=
+        fmt::format("{},{},{},{}\n", pair, figure_field(estimate.value), figure_field(low), figure_field(high));
+    curve.points.push_back({static_cast<double>(pair), estimate.value, low, high});
   }
-  return {.y = {.title = axis, .range = range_of(points)}, .panels = {{pairs_axis(points.back().pair), {curve}}}};
+  figure.chart = {.y = {.title = axis, .range = range_of(points)},
+                  .panels = {{pairs_axis(points.back().pair), {std::move(curve)}}}};
 }
 
 bool has_points(std::span<const Banded> points) {
@@ -83,16 +80,15 @@ std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const
   const bool any = std::ranges::any_of(points, [](const Banded& each) {
     return std::isfinite(each.estimate.interval.low) || std::isfinite(each.estimate.interval.high);
   });
-  Figure out;
-  out.name = "elo";
-  out.title = "Elo over pairs";
-  out.description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.label(0), view.label(1),
-                                any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
-                                                  "for a number of pairs fixed beforehand.",
-                                                  fewest_uneven_pairs)
-                                    : std::string(". Too few pairs for an interval."));
-  out.csv = banded_csv(points, "elo");
-  out.chart = banded_chart(points, "Elo");
+  Figure out{
+      .name = "elo",
+      .title = "Elo over pairs",
+      .description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.label(0), view.label(1),
+                                 any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
+                                                   "for a number of pairs fixed beforehand.",
+                                                   fewest_uneven_pairs)
+                                     : std::string(". Too few pairs for an interval."))};
+  draw_banded(out, points, "elo", "Elo");
   return out;
 }
 
@@ -106,28 +102,25 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   const study::Objective objective = view.plan.objective();
   const auto* const test = std::get_if<study::ValueTest>(&objective);
   const bool goals = test == nullptr || test->value == study::goals_value;
-  Figure out;
-  out.name = "value";
-  out.title =
-      goals ? "Goal difference over pairs" : fmt::format("Difference of {} over pairs", texts::visible(test->value));
-  out.description =
-      fmt::format("{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
-                  test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)));
-  out.csv = banded_csv(points, "difference");
-  out.chart = banded_chart(points, goals ? "goals per match" : "difference per match");
+  Figure out{.name = "value",
+             .title = goals ? "Goal difference over pairs"
+                            : fmt::format("Difference of {} over pairs", texts::visible(test->value)),
+             .description = fmt::format(
+                 "{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
+                 test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)))};
+  draw_banded(out, points, "difference", goals ? "goals per match" : "difference per match");
   return out;
 }
 
 // The log-likelihood ratio of a test of scores, and where it stops.
 std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
-  Figure out;
-  out.name = "llr";
-  out.title = "Log-likelihood ratio over pairs";
-  Series upper{.name = "H1", .colour = 2, .join = Join::dashes}, lower{.name = "H0", .colour = 1, .join = Join::dashes};
-  Series ratio{.name = "LLR",
-               .join = Join::line,
-               .shape = curve.size() > many_points ? Shape::nothing : Shape::circle,
-               .size = 2.5};
+  Figure out{.name = "llr", .title = "Log-likelihood ratio over pairs"};
+  std::vector<Series> series{{.name = "H1", .colour = 2, .join = Join::dashes},
+                             {.name = "LLR",
+                              .join = Join::line,
+                              .shape = curve.size() > many_points ? Shape::nothing : Shape::circle,
+                              .size = 2.5},
+                             {.name = "H0", .colour = 1, .join = Join::dashes}};
   Range range = with_zero;
   out.csv = "pair,llr,lower,upper\n";
   std::uint64_t last = 0;
@@ -135,13 +128,11 @@ std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<con
     if (!each.ratio) continue;
     out.csv += fmt::format("{},{},{},{}\n", each.pair, figure_field(*each.ratio), figure_field(each.lower),
                            figure_field(each.upper));
-    const auto add = [&](Series& series, double value) {
-      series.points.push_back({static_cast<double>(each.pair), value});
-      range.take(value);
-    };
-    add(upper, each.upper);
-    add(ratio, *each.ratio);
-    add(lower, each.lower);
+    const std::array<double, 3> values{each.upper, *each.ratio, each.lower};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      series[i].points.push_back({static_cast<double>(each.pair), values[i]});
+      range.take(values[i]);
+    }
     last = each.pair;
   }
   if (last == 0) return std::nullopt;
@@ -149,8 +140,7 @@ std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<con
   out.description =
       fmt::format("The test stops at the upper line, for H1 ({} is {} stronger), or at the lower one, for H0 ({}).",
                   view.label(0), hypotheses.elo1, hypotheses.elo0);
-  out.chart = {.y = {.title = "LLR", .range = range.with_room()},
-               .panels = {{pairs_axis(last), {upper, ratio, lower}}}};
+  out.chart = {.y = {.title = "LLR", .range = range.with_room()}, .panels = {{pairs_axis(last), series}}};
   return out;
 }
 
@@ -163,10 +153,9 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
   std::erase_if(ranks, [](const Ranked& each) { return !each.elo || !std::isfinite(each.elo->value); });
   if (ranks.empty()) return std::nullopt;
   if (ranks.size() > most) ranks.resize(most);
-  Figure out;
-  out.name = "ranking";
-  out.title = "Strength of the teams";
-  out.description = "Bradley-Terry Elo, sum 0, with 95 % intervals by the spread of pairs.";
+  Figure out{.name = "ranking",
+             .title = "Strength of the teams",
+             .description = "Bradley-Terry Elo, sum 0, with 95 % intervals by the spread of pairs."};
   out.csv = "team,elo,low,high\n";
   Series teams{.shape = Shape::circle, .interval = Interval::whiskers};
   Range range = with_zero;
@@ -191,13 +180,12 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
   std::vector<std::size_t> teams;
   for (const Ranked& each : ranking(view.plan, view.course)) teams.push_back(each.team);
   if (teams.size() > colours.size()) teams.resize(colours.size());
-  Figure out;
-  out.name = "elo";
-  out.title = "Elo over pairs";
-  out.description = fmt::format("Bradley-Terry Elo of {} after each number of pairs.",
-                                teams.size() == view.plan.teams.size()
-                                    ? std::string("all teams")
-                                    : fmt::format("the first {} teams of the ranking", teams.size()));
+  Figure out{.name = "elo",
+             .title = "Elo over pairs",
+             .description = fmt::format("Bradley-Terry Elo of {} after each number of pairs.",
+                                        teams.size() == view.plan.teams.size()
+                                            ? std::string("all teams")
+                                            : fmt::format("the first {} teams of the ranking", teams.size()))};
   out.csv = "pair";
   std::vector<Series> series;
   for (const std::size_t team : teams) {
@@ -238,11 +226,11 @@ std::string number_or_nothing(const statistics::Moments* moments) {
 std::optional<Figure> goal_differences(const TournamentView& view, const CourseRecord& record) {
   if (view.course.matches() == 0) return std::nullopt;
   const GoalDifferences& counts = record.goals_of(0);
-  Figure out;
-  out.name = "goal_differences";
-  out.title = "Goal differences of matches";
-  out.description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
-                                view.label(0), view.label(1), GoalDifferences::largest, GoalDifferences::largest);
+  Figure out{
+      .name = "goal_differences",
+      .title = "Goal differences of matches",
+      .description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
+                                 view.label(0), view.label(1), GoalDifferences::largest, GoalDifferences::largest)};
   out.csv = "goal_difference,played,forfeited\n";
   Series won{.name = in_title(view.label(0)) + " wins", .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
       lost{.name = in_title(view.label(1)) + " wins", .colour = 1, .bar = 0.8},
@@ -274,12 +262,11 @@ std::string with_spaces(std::string name) {
 std::optional<Figure> roles(const TournamentView& view, const CourseRecord& record) {
   const std::vector<std::string> names = role_names(record.numbers(), 2);
   if (names.empty()) return std::nullopt;
-  Figure out;
-  out.name = "roles";
-  out.title = "Overlap, uncovered time and switches by role";
-  out.description = fmt::format(
-      "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
-      view.label(0), view.label(1));
+  Figure out{.name = "roles",
+             .title = "Overlap, uncovered time and switches by role",
+             .description = fmt::format(
+                 "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
+                 view.label(0), view.label(1))};
   out.csv = "role";
   for (const char* measure : role_measures) {
     for (const std::size_t team : {0u, 1u})
@@ -320,10 +307,10 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
   std::vector<std::string> reasons = packet_reasons(record.numbers(), 2);
   std::erase_if(reasons, [&](const std::string& reason) { return sent_none(record.numbers(), 2, reason); });
   if (reasons.empty()) return std::nullopt;
-  Figure out;
-  out.name = "packets";
-  out.title = "Packets by the event that caused them";
-  out.description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", view.label(0), view.label(1));
+  Figure out{
+      .name = "packets",
+      .title = "Packets by the event that caused them",
+      .description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", view.label(0), view.label(1))};
   out.csv = fmt::format("reason,{},{}\n", figure_field(view.label(0)), figure_field(view.label(1)));
   std::vector<Series> teams{{.name = view.label(0), .bar = 0.34}, {.name = view.label(1), .colour = 1, .bar = 0.34}};
   for (const std::string& reason : reasons) {

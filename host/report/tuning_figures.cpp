@@ -70,9 +70,7 @@ std::optional<Figure> convergence(const TuningView& view) {
 
   range = range.with_room();
 
-  Figure out;
-  out.name = "convergence";
-  out.title = "The search and its verification";
+  Figure out{.name = "convergence", .title = "The search and its verification"};
   out.description = fmt::format(
       "Points: value of each evaluation{}, noisy because it has few matches. Line: the best so far, which is "
       "optimistic because it is the best of many noisy values.{}{}",
@@ -123,12 +121,12 @@ std::optional<Figure> importance(const TuningView& view) {
     if (slices.size() < most_slices) slices.push_back(&each);
   }
   if (slices.empty()) return std::nullopt;
-  Figure out;
-  out.name = "importance";
-  out.title = "Importance of the parameters";
-  out.description =
-      "Standard deviation of the objective over the range of each parameter, around the point that was found, less the "
-      "part that chance explains. Grey: no more than chance.";
+  Figure out{.name = "importance",
+             .title = "Importance of the parameters",
+             .description =
+                 "Standard deviation of the objective over the range of each parameter, around the point that was "
+                 "found, less the "
+                 "part that chance explains. Grey: no more than chance."};
   out.csv = "parameter,importance,p,more_than_chance\n";
   Series more{.bar = 0.64}, chance{.colour = grey, .bar = 0.64};
   for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -160,15 +158,15 @@ std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std:
   const study::Parameter& parameter = view.plan.parameters[of.parameter];
   const double tuned = view.record.finalists[*centre].values[of.parameter];
   const study::TuningObjective& objective = view.plan.objective;
-  Figure out;
-  out.name = fmt::format("slice_{}", number);
-  out.title = texts::visible(parameter.path);
-  out.description = fmt::format(
-      "The objective over this parameter alone, all others as in finalist {}. Whiskers: intervals of {:.4g} %. "
-      "Triangle: the point that was found. Dashed: the base team's value. {}{}.",
-      *centre + 1, 100.0 * view.plan.confidence(),
-      more_than_chance(of) ? fmt::format("Importance {:.3g}, ", of.importance) : std::string("Importance: "),
-      importance_text(of));
+  Figure out{
+      .name = fmt::format("slice_{}", number),
+      .title = texts::visible(parameter.path),
+      .description = fmt::format(
+          "The objective over this parameter alone, all others as in finalist {}. Whiskers: intervals of {:.4g} %. "
+          "Triangle: the point that was found. Dashed: the base team's value. {}{}.",
+          *centre + 1, 100.0 * view.plan.confidence(),
+          more_than_chance(of) ? fmt::format("Importance {:.3g}, ", of.importance) : std::string("Importance: "),
+          importance_text(of))};
   Range range;
   out.csv = "value,mean,low,high,tuned\n";
   Series curve{.join = Join::line}, others{.shape = Shape::circle, .size = 3.0, .interval = Interval::whiskers},

@@ -14,6 +14,7 @@ import signal
 import subprocess
 import unittest
 import urllib.parse
+import xml.etree.ElementTree
 
 import tournament
 
@@ -202,7 +203,7 @@ class Pages(tournament.Tournament):
     def test_what_does_not_go_together(self):
         self.play("--no-page", pairs=1)
         for more, line in ((("-o", "a.html", "--json"), "-o and --json"), (("-o", "a.html", "--csv"), "-o and --csv"),
-                           (("--figures", "f", "--csv"), "--figures and --csv"), (("--png",), "--png adds to --figures"),
+                           (("--figures", "f", "--csv"), "--figures and --csv"),
                            (("--force",), "--force belongs to"), (("-o", "a.html", "--metrics"), "--metrics adds")):
             self.assertIn(line, self.refused("report", "tournament.db", *more))
         self.assertFalse((self.folder / "a.html").exists())
@@ -231,50 +232,34 @@ class Pages(tournament.Tournament):
         self.assertEqual((self.folder / "a.html").read_text(), "<p>mine")
         self.assertEqual(sorted(file.name for file in self.folder.glob("*.html*")), ["a.html"])
 
-    def test_without_gnuplot(self):
-        nothing = {"PATH": str(self.folder / "scenes")}
-        done = self.run_program(*self.arguments("--quiet", pairs=2), environment=nothing)
-        line = "regista: figures are left out: gnuplot is not installed; on Debian: apt install gnuplot-nox\n"
-        self.assertEqual((done.returncode, done.stderr), (0, line))
-        page = self.page()
-        self.assertEqual(page.of("svg"), [])
-        self.assertEqual(page.whole().count("Here a figure is missing: gnuplot is not installed"), 5)
-        self.assertEqual(len(self.tables(page)), 5)
-        done = self.run_program("report", "tournament.db", "-o", "a.html", environment={"TMPDIR": "/nowhere"})
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.write("broken/gnuplot", "#!/bin/sh\necho 'something is wrong' >&2\nexit 3\n").chmod(0o755)
-        done = self.run_program("report", "tournament.db", "-o", "b.html",
-                                environment={"PATH": f"{self.folder / 'broken'}:/usr/bin:/bin"})
-        self.assertEqual((done.returncode, done.stderr),
-                         (0, "regista: figure elo is left out: gnuplot: something is wrong\n"))
-        self.assertEqual(self.page("b.html").whole().count("Here a figure is missing: gnuplot: something is wrong"), 5)
-        # A picture that is none is not let in.
-        self.write("broken/gnuplot", "#!/bin/sh\nfor f in elo value goal_differences roles packets; do\n"
-                   "echo '<svg viewBox=\"0 0 1 1\"><script>alert(1)</script></svg>' > $f.svg; done\n")
-        done = self.run_program("report", "tournament.db", "-o", "c.html",
-                                environment={"PATH": f"{self.folder / 'broken'}:/usr/bin:/bin"})
-        self.assertEqual(done.stderr, "regista: figure elo is left out: picture of gnuplot: element script\n")
-        self.page("c.html")
+    def test_no_other_program_is_needed(self):
+        self.play(pairs=2)
+        nothing = {"PATH": str(self.folder / "scenes"), "TMPDIR": "/nowhere"}
+        done = self.run_program("report", "tournament.db", "-o", "a.html", environment=nothing)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(len(self.page("a.html").of("svg")), 5)
 
-    @unittest.skipUnless(shutil.which("gnuplot"), "gnuplot is not installed")
     def test_figures_as_files(self):
         self.play(pairs=3)
-        self.succeed("report", "tournament.db", "--figures", "figures", "--png")
+        self.succeed("report", "tournament.db", "--figures", "figures")
         names = ("elo", "goal_differences", "packets", "roles", "value")
         folder = self.folder / "figures"
         self.assertEqual(sorted(file.name for file in folder.iterdir()),
-                         [f"{name}{end}" for name in names for end in (".csv", ".gnuplot", ".png", ".svg")])
+                         [f"{name}{end}" for name in names for end in (".csv", ".svg")])
         tables = self.tables(self.page())
         for name in names:
             self.assertEqual((folder / f"{name}.csv").read_text(), tables[f"{name}.csv"])
-            self.assertEqual((folder / f"{name}.png").read_bytes()[:4], b"\x89PNG")
-            self.assertNotIn("GNUPLOT", (folder / f"{name}.svg").read_text())
-            svg = Page((folder / f"{name}.svg").read_text().split("\n", 1)[1])
-            self.assertEqual(svg.wrong, [])
-            # Who changes the table draws it anew.
-            (folder / f"{name}.svg").unlink()
-            subprocess.run(["gnuplot", "-d", f"{name}.gnuplot"], cwd=folder, check=True, capture_output=True)
-            self.assertIn("<svg", (folder / f"{name}.svg").read_text())
+            root = xml.etree.ElementTree.parse(folder / f"{name}.svg").getroot()
+            self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+            self.assertTrue(root.findtext("{http://www.w3.org/2000/svg}title"))
+        # Bars are as high as the table says.
+        counts = [int(row["played"]) for row in csv.DictReader(io.StringIO(tables["goal_differences.csv"]))]
+        root = xml.etree.ElementTree.parse(folder / "goal_differences.svg").getroot()
+        heights = [float(rect.get("height")) for group in root.iter("{http://www.w3.org/2000/svg}g")
+                   for rect in group.findall("{http://www.w3.org/2000/svg}rect") if rect.get("height") != "12"]
+        self.assertEqual(len(heights), sum(count > 0 for count in counts))
+        for height, count in zip(sorted(heights), sorted(count for count in counts if count > 0)):
+            self.assertAlmostEqual(height / max(heights), count / max(counts), delta=0.01)
         self.assertIn("exists already", self.refused("report", "tournament.db", "--figures", "figures"))
         self.succeed("report", "tournament.db", "--figures", "figures", "--force")
 

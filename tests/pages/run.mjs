@@ -37,8 +37,7 @@ const browser = await startBrowser();
 let all = 0;
 try {
   const page = await browser.newPage();
-  for (const { name, file, figures, fullFigures, drawn } of playStudies(program, source, folder)) {
-    if (!drawn) console.log(`${name}: gnuplot is not installed, so there are no figures to be measured`);
+  for (const { name, file, figures, fullFigures } of playStudies(program, source, folder)) {
     await page.goto(pathToFileURL(file).href);
     const faults = new Map(); // where each was seen
     for (const colorScheme of ["light", "dark"]) {
@@ -48,7 +47,7 @@ try {
         for (const open of [true, false]) {
           await page.evaluate((all) => document.querySelectorAll("details").forEach((each) => (each.open = all)), open);
           const where = `${width} px ${colorScheme}${open ? " unfolded" : ""}`;
-          for (const fault of await page.evaluate(faultsOfPage, { figures: drawn ? figures : 0, fullFigures })) {
+          for (const fault of await page.evaluate(faultsOfPage, { figures, fullFigures })) {
             faults.set(fault, [...(faults.get(fault) ?? []), where]);
           }
         }

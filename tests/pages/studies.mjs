@@ -76,6 +76,6 @@ export function playStudies(program, source, folder) {
     const { status, stderr } = spawnSync(program, [...words, "--results", `${name}.db`, "--quiet"],
                                          { cwd: folder, encoding: "utf8" });
     if (status !== 0) throw new Error(`${name}: status ${status}: ${stderr}`);
-    return { name, file: join(folder, `${name}.html`), figures, fullFigures, drawn: !stderr.includes("gnuplot") };
+    return { name, file: join(folder, `${name}.html`), figures, fullFigures };
   });
 }

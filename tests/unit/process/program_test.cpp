@@ -49,7 +49,6 @@ TEST(RunProgram, OneThatEndsLikeAShellWithoutAProgramIsThere) {
 }
 
 TEST(RunProgram, OneThatCannotBeStarted) {
-  EXPECT_THROW(run_program({.words = {"true"}, .folder = "/no/such/folder"}), std::system_error);
   EXPECT_THROW(run_program({.words = {std::filesystem::temp_directory_path().string()}}), std::system_error);
 }
 
@@ -73,15 +72,6 @@ TEST(RunProgram, OneThatTakesTooLongIsKilled) {
   EXPECT_FALSE(end.in_time);
   EXPECT_EQ(end.output, "begun\n");
   EXPECT_EQ(end.end.signal_number(), SIGKILL);
-}
-
-TEST(RunProgram, FolderAndEnvironmentOfItsOwn) {
-  const std::filesystem::path folder = std::filesystem::canonical(std::filesystem::temp_directory_path());
-  const ProgramEnd end =
-      run_program({.words = {"/bin/sh", "-c", "/bin/pwd; /usr/bin/env"}, .folder = folder, .environment = {{"A=b c"}}});
-  EXPECT_THAT(end.output, testing::StartsWith(folder.string() + "\n"));
-  EXPECT_THAT(end.output, testing::HasSubstr("\nA=b c\n"));
-  EXPECT_THAT(end.output, testing::Not(testing::HasSubstr("HOME=")));
 }
 
 // The shell is the judge of what a shell reads: what `printf '%s\n'` of the shell makes of the words of a line.
