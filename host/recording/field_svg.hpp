@@ -13,6 +13,7 @@ using texts::label;
 using texts::Markup;
 using texts::sheet;
 using texts::text;
+using texts::turned_label;
 using texts::operator""_html;
 
 // From metres of the field, y up, to the picture, y down.

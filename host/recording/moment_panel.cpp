@@ -30,8 +30,8 @@ Html matrix(const RecordedDecision& decision, const RecordedTeam& team, int own_
   }
   for (std::size_t j = 0; j < decision.columns.size(); ++j) {
     const double x = table.left + (static_cast<double>(j) + 0.62) * table.cell_width;
-    out << drawn(R"x(<text class="column" transform="translate({:.1f} {:.1f}) rotate(-55)">)x", x, table.top - 6.0)
-        << text(visible_at_most(role_name(team, decision.columns[j]), 16)) << "</text>"_html;
+    out << turned_label(x, table.top - 6.0, -55.0, "class", "column",
+                        visible_at_most(role_name(team, decision.columns[j]), 16));
   }
   for (std::size_t i = 0; i < decision.rows.size(); ++i) {
     const double y = table.top + static_cast<double>(i) * table.cell_height;
@@ -111,8 +111,7 @@ Panel log_lines(const std::vector<RecordedLogLine>& lines, double left, double t
                       level = line.level == "info" ? "" : fitting(line.level, 10) + ' ';
     const std::string rest = fitting(fmt::format("{}: {}", visible_at_most(line.plugin, 24), line.text),
                                      columns - time.size() - level.size());
-    out.drawing << drawn(R"(<text x="{:.1f}" y="{:.1f}" class="{}">)", left, out.bottom, marked ? "log marked" : "log")
-                << text(time + level + rest) << "</text>"_html;
+    out.drawing << label(left, out.bottom, marked ? "log marked" : "log", time + level + rest);
   }
   out.bottom += 17.0;
   return out;

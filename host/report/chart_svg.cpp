@@ -76,32 +76,30 @@ Html way_within(const std::vector<Spot>& spots, const Box& box) {
   return out;
 }
 
-Html mark(Shape shape, const Spot& at, double size) {
-  const auto corners = [&](std::initializer_list<Spot> of) {
-    std::vector<Spot> out;
-    for (const Spot& each : of) out.push_back({at.x + size * each.x, at.y + size * each.y});
-    return out;
-  };
-  const auto closed = [&](std::initializer_list<Spot> of) {
-    Html out = "<path d=\""_html;
-    return out << way(corners(of)) << "z\"/>"_html;
-  };
+// Around 0, half of the height 1. A cross goes back as it came, so that it is closed like the others.
+std::vector<Spot> corners_of(Shape shape) {
   switch (shape) {
-    case Shape::nothing:
-      return {};
-    case Shape::circle:
-      return drawn(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", at.x, at.y, size);
     case Shape::triangle:
-      return closed({{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}});
+      return {{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}};
     case Shape::square:
-      return closed({{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}});
+      return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};
     case Shape::diamond:
-      return closed({{0.0, -1.3}, {1.3, 0.0}, {0.0, 1.3}, {-1.3, 0.0}});
+      return {{0.0, -1.3}, {1.3, 0.0}, {0.0, 1.3}, {-1.3, 0.0}};
     case Shape::cross:
+      return {{-0.9, -0.9}, {0.9, 0.9}, {0.0, 0.0}, {-0.9, 0.9}, {0.9, -0.9}, {0.0, 0.0}};
+    case Shape::nothing:
+    case Shape::circle:
       break;
   }
-  Html out = "<path fill=\"none\" d=\""_html;
-  return out << way(corners({{-0.9, -0.9}, {0.9, 0.9}})) << way(corners({{-0.9, 0.9}, {0.9, -0.9}})) << "\"/>"_html;
+  return {};
+}
+
+Html mark(Shape shape, const Spot& at, double size) {
+  if (shape == Shape::circle) return drawn(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", at.x, at.y, size);
+  std::vector<Spot> corners = corners_of(shape);
+  for (Spot& each : corners) each = {at.x + size * each.x, at.y + size * each.y};
+  Html out = "<path d=\""_html;
+  return out << way(corners) << "z\"/>"_html;
 }
 
 // The names of series, in as many columns as have room.
@@ -153,9 +151,8 @@ class Painter {
 
     out_ << keyed(key);
     for (std::size_t i = 0; i < title.size(); ++i) {
-      out_ << drawn(R"x(<text transform="translate({:.1f} {:.1f}) rotate(-90)" text-anchor="middle">)x",
-                    margin + line_height * (static_cast<double>(i) + 0.6), 0.5 * (top + bottom))
-           << text(title[i]) << "</text>"_html;
+      out_ << texts::turned_label(margin + line_height * (static_cast<double>(i) + 0.6), 0.5 * (top + bottom), -90.0,
+                                  "text-anchor", "middle", title[i]);
     }
     const auto count = static_cast<double>(std::max<std::size_t>(chart_.panels.size(), 1));
     const double width = (chart_.width - left - margin + between_panels) / count - between_panels;
@@ -237,8 +234,9 @@ class Painter {
 
   Html marks(const Series& series, std::vector<Spot> at) const {
     if (series.shape == Shape::nothing || at.empty()) return {};
-    Html out = drawn(R"(<g fill="{0}" stroke="{0}" stroke-width="{1}">)", colour(series.colour),
-                     series.shape == Shape::cross ? 1.5 : 0.0);
+    const bool cross = series.shape == Shape::cross;
+    Html out = drawn(R"(<g fill="{}" stroke="{}" stroke-width="1.5">)", cross ? "none" : colour(series.colour),
+                     cross ? colour(series.colour) : "none");
     for (const Spot& each : at) out << mark(series.shape, each, series.size);
     return out << "</g>\n"_html;
   }

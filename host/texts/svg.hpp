@@ -26,6 +26,14 @@ inline Html label(double x, double y, const char* classes, std::string_view word
   return label(x, y, "class", classes, words);
 }
 
+// Turned around its place by so many degrees.
+inline Html turned_label(double x, double y, double degrees, const char* attribute, const char* value,
+                         std::string_view words) {
+  Html out =
+      drawn(R"x(<text {}="{}" transform="translate({:.1f} {:.1f}) rotate({:.0f})">)x", attribute, value, x, y, degrees);
+  return out << text(words) << "</text>"_html;
+}
+
 // The beginning of a picture that is a file of its own: a white sheet. "</svg>" ends it.
 inline Html sheet(double width, double height) {
   return drawn(R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {0:.0f} {1:.0f}" width="{0:.0f}" )"
