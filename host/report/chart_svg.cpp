@@ -63,7 +63,7 @@ std::vector<Spot> with_crossings(const std::vector<Spot>& spots, const Box& box)
   return out;
 }
 
-// The part of a way that lies within the box.
+// The parts of a way that lie within the box; a spot that is nowhere does not.
 Html way_within(const std::vector<Spot>& spots, const Box& box) {
   const std::vector<Spot> all = with_crossings(spots, box);
   Html out;
@@ -232,7 +232,7 @@ class Painter {
     return stroked(path, colour(series.colour), dashes || series.interval == Interval::whiskers ? 1.5 : 2.0, dashes);
   }
 
-  Html marks(const Series& series, std::vector<Spot> at) const {
+  Html marks(const Series& series, const std::vector<Spot>& at) const {
     if (series.shape == Shape::nothing || at.empty()) return {};
     const bool cross = series.shape == Shape::cross;
     Html out = drawn(R"(<g fill="{}" stroke="{}" stroke-width="1.5">)", cross ? "none" : colour(series.colour),
@@ -369,25 +369,15 @@ class Painter {
   void series(const Series& of, const Box& box, const Scale& x) {
     if (of.bar > 0.0) bars(of, box, x);
     if (of.interval == Interval::whiskers) whiskers(of, box, x);
-    Html path;
     std::vector<Spot> run, shapes;
-    const auto end_run = [&] {
-      path << way_within(run, box);
-      run.clear();
-    };
     for (std::size_t i = 0; i < of.points.size(); ++i) {
       const Spot at = spot(of.points[i], x);
-      if (!lies(at)) {
-        end_run();
-        continue;
-      }
       if (of.join == Join::steps && !run.empty()) run.push_back({at.x, run.back().y});
       run.push_back(at);
       if (i % of.every == 0 && box.holds(at)) shapes.push_back(at);
     }
-    end_run();
-    if (of.join != Join::nothing) out_ << joined(path, of);
-    out_ << marks(of, std::move(shapes));
+    if (of.join != Join::nothing) out_ << joined(way_within(run, box), of);
+    out_ << marks(of, shapes);
   }
 
   const Chart& chart_;

@@ -202,7 +202,8 @@ TEST(Figure, WhatIsNoNumberIsLeftOut) {
 }
 
 TEST(Figure, IntervalsReachToTheirEnds) {
-  Series bars = dots({{1.0, 5.0, 4.0, 7.0}, {2.0, 5.0, -HUGE_VAL, 6.0}, {3.0, 5.0, -HUGE_VAL, HUGE_VAL}});
+  Series bars = dots(
+      {{1.0, 5.0, 4.0, 7.0}, {2.0, 5.0, -HUGE_VAL, 6.0}, {3.0, 5.0, -HUGE_VAL, HUGE_VAL}, {4.0, 5.0, unknown, 6.0}});
   bars.interval = Interval::whiskers;
   Chart chart = chart_of(bars);
   chart.y.range = Range{0.0, 10.0};
@@ -211,7 +212,7 @@ TEST(Figure, IntervalsReachToTheirEnds) {
   std::vector<Segment> upright;
   std::ranges::copy_if(segments(picture, "#0072b2"), std::back_inserter(upright),
                        [](const Segment& each) { return each.x0 == each.x1; });
-  ASSERT_EQ(upright.size(), 2u);  // the third has no end
+  ASSERT_EQ(upright.size(), 2u);  // the third has no end, one of the fourth is not known
   EXPECT_NEAR(upright[0].y0, expected(y, 4.0), 0.2);
   EXPECT_NEAR(upright[0].y1, expected(y, 7.0), 0.2);
   EXPECT_NEAR(upright[1].y0, expected(y, 0.0), 0.2);  // to the edge
@@ -270,6 +271,38 @@ TEST(Figure, WhatLiesOutsideIsCutOff) {
     }
     for (const Point& each : series.points) inside += each.y >= -1.0 && each.y <= 1.0;
     EXPECT_EQ(all(picture, "circle").size(), inside);
+  }
+}
+
+// An interval may reach below what can be; the axis of bars does not.
+TEST(Figure, WhiskersOfBarsEndAtZero) {
+  const Series bars{.points = {{5.0, 0.0}}, .bar = 0.5};
+  const Series whiskers{.colour = 1, .points = {{5.0, 0.0, -20.0, 9.0}}, .interval = Interval::whiskers};
+  const std::vector<Element> picture = drawn({.rows = {"a"}, .panels = {{{}, {bars, whiskers}}}});
+  const std::vector<Place> x = tics_of(picture, true);
+  EXPECT_EQ(x.front().value, 0.0);
+  EXPECT_NEAR(all(picture, "rect").at(1).number("x"), x.front().at, 0.2);
+  const Segment whisker = segments(picture, "#d55e00").at(0);
+  EXPECT_NEAR(whisker.x0, x.front().at, 0.2);
+  EXPECT_NEAR(whisker.x1, expected(x, 9.0), 0.2);
+}
+
+// Up to the edge, not only to the last point before it.
+TEST(Figure, LinesAreCutAtTheEdge) {
+  Chart chart = chart_of({.points = {{0.0, 0.0}, {2.0, 4.0}, {4.0, -4.0}, {5.0, 0.0}}, .join = Join::line});
+  chart.y.range = Range{-1.0, 1.0};
+  chart.panels[0].x.range = Range{0.0, 5.0};
+  const std::vector<Element> picture = drawn(chart);
+  const std::vector<Place> x = tics_of(picture, true), y = tics_of(picture, false);
+  // Where 0 -> 4 -> -4 -> 0 meets 1 and -1.
+  const std::vector<Segment> expected_parts{{0.0, 0.0, 0.5, 1.0}, {2.75, 1.0, 3.25, -1.0}, {4.75, -1.0, 5.0, 0.0}};
+  const std::vector<Segment> parts = segments(picture, "#0072b2");
+  ASSERT_EQ(parts.size(), expected_parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    EXPECT_NEAR(parts[i].x0, expected(x, expected_parts[i].x0), 0.3);
+    EXPECT_NEAR(parts[i].y0, expected(y, expected_parts[i].y0), 0.3);
+    EXPECT_NEAR(parts[i].x1, expected(x, expected_parts[i].x1), 0.3);
+    EXPECT_NEAR(parts[i].y1, expected(y, expected_parts[i].y1), 0.3);
   }
 }
 
@@ -380,6 +413,17 @@ TEST(Figure, TextsNeverMeetAndAreNotCut) {
         }
       }
     }
+  }
+}
+
+TEST(Figure, TheLastNumberOfAnAxisIsNotCut) {
+  for (const double high : {1e-5, 10.0, 100000.0, 5e8}) {
+    Chart chart = chart_of(dots({{0.0, 0.0}, {high, 1.0}}));
+    chart.panels[0].x.range = Range{0.0, high};
+    const std::vector<Element> picture = drawn(chart);
+    for (const Element& each : all(picture, "text")) EXPECT_LE(box_of(each).right, 620.0) << each.text;
+    const std::vector<Place> x = tics_of(picture, true);
+    EXPECT_NEAR(all(picture, "circle")[1].number("cx"), expected(x, high), 0.3);
   }
 }
 
