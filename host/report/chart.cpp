@@ -18,7 +18,7 @@ constexpr double farthest = 100.0;  // a safeguard: so many tics no axis has
 
 bool single(const Range& range) { return !(range.high - range.low > 1e-9); }
 
-// With as many decimals as tell it from its neighbour.
+// With as many decimals as distinguish it from its neighbour.
 std::string number(double value, double step) {
   const int decimals = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
   if (value == 0.0) return "0";
@@ -145,8 +145,8 @@ std::vector<std::string> in_lines(std::string_view text, double width) {
   };
   std::vector<std::string> out = broken(width);
   // No line is much shorter than the others.
-  for (double narrower = width - letter; narrower > letter; narrower -= letter) {
-    std::vector<std::string> even = broken(narrower);
+  while ((width -= letter) > letter) {
+    std::vector<std::string> even = broken(width);
     if (even.size() > out.size()) break;
     out = std::move(even);
   }

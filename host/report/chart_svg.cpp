@@ -202,9 +202,8 @@ class Painter {
     Html out;
     for (std::size_t i = 0; i < key.entries.size(); ++i) {
       const Series& series = *key.entries[i];
-      const std::size_t column = i % key.columns.size();
-      Spot at{0.5 * (chart_.width - key.total()),
-              margin + key_height * (static_cast<double>(i / key.columns.size()) + 0.4)};
+      const std::size_t column = i % key.columns.size(), row = i / key.columns.size();
+      Spot at{0.5 * (chart_.width - key.total()), margin + key_height * (static_cast<double>(row) + 0.4)};
       for (std::size_t before = 0; before < column; ++before) at.x += key.columns[before];
       const Spot middle{at.x + 0.5 * sample, at.y};
       if (series.bar > 0.0) {

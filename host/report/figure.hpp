@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A figure: its data as a table, for whoever draws it otherwise, and as a chart, which is drawn here.
+// A figure: its data as a table, for other ways to draw them, and as a chart, which is drawn here.
 //
 // Colours: M. Okabe and K. Ito, "Color Universal Design", 2008, which people with any colour vision can tell apart.
 #pragma once
