@@ -35,10 +35,9 @@ constexpr auto report_examples = R"(Examples:
   regista report tournament.db --study again
   regista report here.db there.db
 
--o writes one page that needs nothing else, --figures each of its figures as NAME.svg and its data as
-NAME.csv. A study that has ended is reported as it was at its end; another one as far as its matches have been played
-without a gap. The table of an experiment has a row for each number of each match, that of a tuning one for each point of
-its search.
+-o writes one page that needs nothing else, --figures each of its figures as NAME.svg and its data as NAME.csv. A study
+that has ended is reported as it was at its end; another one as far as its matches have been played without a gap. The
+table of an experiment has a row for each number of each match, that of a tuning one for each point of its search.
 Several files are reported as one where they are of one study, begun alike, whose matches were played in several places.
 --study writes the study itself, as it was asked for, with its teams, profiles and scenes: `regista run study.yaml` in that
 folder plays it again.
