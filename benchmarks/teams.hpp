@@ -12,9 +12,10 @@ namespace regista {
 struct Teams {
   plugin::Catalogue catalogue{{REGISTA_PLUGINS}};
   match::Setup setup;
-  mind::TeamPlan paper{config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[0], catalogue};
-  mind::TeamPlan fixed_rate{config::read_team(REGISTA_CONFIGS "/teams/fixed_rate.yaml"), setup.rules, setup.robots[1],
-                            catalogue};
+  mind::TeamPlan paper{config::read_document<config::Team>(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules,
+                       setup.robots[0], catalogue};
+  mind::TeamPlan fixed_rate{config::read_document<config::Team>(REGISTA_CONFIGS "/teams/fixed_rate.yaml"), setup.rules,
+                            setup.robots[1], catalogue};
 };
 
 }  // namespace regista

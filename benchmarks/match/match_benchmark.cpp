@@ -103,8 +103,8 @@ void other_teams(benchmark::State& state, const std::string& home, const std::st
   match::Setup setup = teams.setup;
   setup.limit = 300.0;
   const auto plan = [&](const std::string& name) {
-    return mind::TeamPlan{config::read_team(REGISTA_CONFIGS "/teams/" + name + ".yaml"), setup.rules, setup.robots[0],
-                          teams.catalogue};
+    return mind::TeamPlan{config::read_document<config::Team>(REGISTA_CONFIGS "/teams/" + name + ".yaml"), setup.rules,
+                          setup.robots[0], teams.catalogue};
   };
   const mind::TeamPlan one = plan(home), other = plan(away);
   double usual = 0.0, whole = 0.0, simulated = 0.0;
@@ -123,10 +123,10 @@ void robots_a_side(benchmark::State& state) {
   match::Setup setup;
   setup.rules.team_size = static_cast<int>(state.range(0));
   setup.limit = 300.0;
-  const mind::TeamPlan paper{config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[0],
-                             catalogue};
-  const mind::TeamPlan fixed_rate{config::read_team(REGISTA_CONFIGS "/teams/fixed_rate.yaml"), setup.rules,
-                                  setup.robots[1], catalogue};
+  const mind::TeamPlan paper{config::read_document<config::Team>(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules,
+                             setup.robots[0], catalogue};
+  const mind::TeamPlan fixed_rate{config::read_document<config::Team>(REGISTA_CONFIGS "/teams/fixed_rate.yaml"),
+                                  setup.rules, setup.robots[1], catalogue};
   double whole = 0.0, simulated = 0.0;
   for (auto _ : state) {
     whole += seconds_of([&] { simulated += match::play(setup, {&paper, &fixed_rate}).simulated_seconds; });

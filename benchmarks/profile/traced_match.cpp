@@ -41,8 +41,8 @@ int run(const char* home, const char* away, double seconds) {
   setup.rules.durations.ready = setup.rules.durations.set = 0.1;
   setup.limit = seconds;
   const mind::TeamPlan plans[] = {
-      mind::TeamPlan(config::read_team(home), setup.rules, setup.robots[0], catalogue),
-      mind::TeamPlan(config::read_team(away), setup.rules, setup.robots[1], catalogue),
+      mind::TeamPlan(config::read_document<config::Team>(home), setup.rules, setup.robots[0], catalogue),
+      mind::TeamPlan(config::read_document<config::Team>(away), setup.rules, setup.robots[1], catalogue),
   };
   volatile int *const begin = marks(), *const end = begin + 16;
   std::array<std::vector<mind::Mind>, 2> minds;

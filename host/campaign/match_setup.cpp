@@ -37,15 +37,15 @@ double parse_limit(const std::string& text) {
 }
 
 // The built-in values as a document; all of them written out where paths are to address them.
-config::Node built_in(config::DocumentKind kind, const std::string& name, bool addressed) {
-  const std::string key(config::name_of(kind));
+config::Node built_in(const config::DocumentKind& kind, const std::string& name, bool addressed) {
+  const std::string key(kind.name);
   const config::Location where{fmt::format("built-in {} {}", key, name), 0, 0};
   const config::Node bare = config::Node::map({{key, where, config::Node::scalar(name, false, where)}}, where);
   if (!addressed) return bare;
   return config::parse_text(config::show(bare), where.file);
 }
 
-config::Node profile(config::DocumentKind kind, const std::string& name, const std::string& file,
+config::Node profile(const config::DocumentKind& kind, const std::string& name, const std::string& file,
                      const config::Overrides& overrides) {
   // The name of the built-in profile means it, unless there is a file of that name.
   const bool by_name = file == name && !std::filesystem::exists(file);
@@ -56,13 +56,13 @@ config::Node profile(config::DocumentKind kind, const std::string& name, const s
 // None where none is asked for. Throws config::Error where it cannot be played by rules and robots of the setup.
 std::optional<config::Opening> opening_of(const MatchRequest& request, const SortedOverrides& overrides,
                                           const match::Setup& setup) {
-  const std::string name(config::name_of(config::DocumentKind::opening));
+  const std::string name(config::DocumentKind::opening.name);
   if (request.opening.empty()) {
     if (overrides.of(name).empty()) return std::nullopt;
     throw config::Error(overrides.of(name).front().where, "there is no opening; --opening FILE names one");
   }
   const config::Node document = config::load(request.opening, overrides.of(name));
-  config::Opening opening = config::read_opening(document);
+  config::Opening opening = config::read_document<config::Opening>(document);
   if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
     config::refuse(document, {misfit->path}, misfit->reason);
   }
@@ -73,7 +73,7 @@ config::Disturbance disturbance_of(const std::string& file, const SortedOverride
                                    const config::Rules& rules) {
   const config::Node document = profile(config::DocumentKind::disturbance, config::Disturbance{}.name, file,
                                         overrides.of(std::string(match::name(side)) + "_disturbance"));
-  config::Disturbance disturbance = config::read_disturbance(document);
+  config::Disturbance disturbance = config::read_document<config::Disturbance>(document);
   config::check(disturbance, rules, document);
   return disturbance;
 }
@@ -109,7 +109,7 @@ std::uint64_t parse_seed(const std::string& text, const std::string& option) {
 TeamSetup team_setup(const std::string& file, const config::Overrides& overrides, const config::Rules& rules,
                      const config::Robot& robot, const plugin::Catalogue& catalogue) {
   const auto document = std::make_shared<const config::Node>(config::load(file, overrides));
-  const config::Team team = config::read_team(*document);
+  const config::Team team = config::read_document<config::Team>(*document);
   config::check(team, rules, *document);
   return {document, std::make_shared<const mind::TeamPlan>(team, rules, robot, catalogue),
           config::warnings(team, rules, *document)};
@@ -129,12 +129,13 @@ MatchSetup match_setup(const MatchRequest& request, const ReadTeam& read_team) {
 
   using config::DocumentKind;
   const SortedOverrides overrides(request.overrides);
-  const auto document = [&](DocumentKind kind, const std::string& name, const std::string& file) {
-    return profile(kind, name, file, overrides.of(config::name_of(kind)));
+  const auto document = [&](const DocumentKind& kind, const std::string& name, const std::string& file) {
+    return profile(kind, name, file, overrides.of(kind.name));
   };
-  out.setup.rules = config::read_rules(document(DocumentKind::rules, config::Rules{}.name, request.rules));
+  out.setup.rules =
+      config::read_document<config::Rules>(document(DocumentKind::rules, config::Rules{}.name, request.rules));
   const config::Node of_robot = document(DocumentKind::robot, config::Robot{}.name, request.robot);
-  const config::Robot robot = config::read_robot(of_robot);
+  const config::Robot robot = config::read_document<config::Robot>(of_robot);
   config::check(robot, out.setup.rules, of_robot);
   out.setup.robots = {robot, robot};
   for (const match::Side side : match::both_sides) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "config/check.hpp"
 #include "config/disturbance.hpp"
 #include "config/experiment.hpp"
 #include "config/load.hpp"
@@ -18,6 +19,8 @@
 #include "config/opening.hpp"
 #include "config/plugin_declaration.hpp"
 #include "config/predictor_study.hpp"
+#include "config/profiles.hpp"
+#include "config/read.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "config/show.hpp"
@@ -27,67 +30,117 @@
 
 namespace regista::config {
 
-// Each reads a file with what it extends, overrides laid over it ("path=value"), every value checked alone and against
-// the others. Throws Error at the first thing that is wrong.
-Rules read_rules(const std::filesystem::path& file, const Overrides& overrides = {});
-Robot read_robot(const std::filesystem::path& file, const Overrides& overrides = {});
-Disturbance read_disturbance(const std::filesystem::path& file, const Overrides& overrides = {});
-Opening read_opening(const std::filesystem::path& file, const Overrides& overrides = {});
-Team read_team(const std::filesystem::path& file, const Overrides& overrides = {});
-PredictorStudy read_predictor_study(const std::filesystem::path& file, const Overrides& overrides = {});
-Tournament read_tournament(const std::filesystem::path& file, const Overrides& overrides = {});
-Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides = {});
-Tuning read_tuning(const std::filesystem::path& file, const Overrides& overrides = {});
+// A kind of document. The struct that declares it makes all that is done with it: how it is read and checked, what is
+// shown of it, its schema, the help of options that lay values over it.
+struct DocumentKind {
+  using Use = std::function<void(const Map& declaration)>;
 
-// The same from a loaded document.
-Rules read_rules(const Node& document);
-Robot read_robot(const Node& document);
-Disturbance read_disturbance(const Node& document);
-Opening read_opening(const Node& document);
-Team read_team(const Node& document);
-PredictorStudy read_predictor_study(const Node& document);
-Tournament read_tournament(const Node& document);
-Experiment read_experiment(const Node& document);
-Tuning read_tuning(const Node& document);
+  std::string_view name;                  // the key that holds a document's name; what commands and schemas call it
+  std::string_view about;                 // a sentence of the reference
+  void (*with_defaults)(const Use& use);  // of a document that says nothing
+  void (*with_values)(const Node& document, Mistakes& mistakes, const Use& use);  // of one that is read and checked
 
-// The same, telling of every mistake. After one, what is read is good for nothing but to look for more of them.
-Rules read_rules(const Node& document, Mistakes& mistakes);
-Robot read_robot(const Node& document, Mistakes& mistakes);
-Disturbance read_disturbance(const Node& document, Mistakes& mistakes);
-Opening read_opening(const Node& document, Mistakes& mistakes);
-Team read_team(const Node& document, Mistakes& mistakes);
-PredictorStudy read_predictor_study(const Node& document, Mistakes& mistakes);
-Tournament read_tournament(const Node& document, Mistakes& mistakes);
-Experiment read_experiment(const Node& document, Mistakes& mistakes);
-Tuning read_tuning(const Node& document, Mistakes& mistakes);
+  friend bool operator==(const DocumentKind& a, const DocumentKind& b) { return a.name == b.name; }
 
-enum class DocumentKind { rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, tuning };
+  static const DocumentKind rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, tuning;
+};
 
-// As documents, commands and schemas name it.
-std::string_view name_of(DocumentKind kind);
+// Throws Error at the document when it is of another kind.
+void require_kind(const Node& document, const DocumentKind& kind);
+
+// The kind that a struct declares.
+template <class Document>
+const DocumentKind& declared_kind();
+template <>
+inline const DocumentKind& declared_kind<Rules>() {
+  return DocumentKind::rules;
+}
+template <>
+inline const DocumentKind& declared_kind<Robot>() {
+  return DocumentKind::robot;
+}
+template <>
+inline const DocumentKind& declared_kind<Disturbance>() {
+  return DocumentKind::disturbance;
+}
+template <>
+inline const DocumentKind& declared_kind<Opening>() {
+  return DocumentKind::opening;
+}
+template <>
+inline const DocumentKind& declared_kind<PredictorStudy>() {
+  return DocumentKind::predictor_study;
+}
+template <>
+inline const DocumentKind& declared_kind<Tournament>() {
+  return DocumentKind::tournament;
+}
+template <>
+inline const DocumentKind& declared_kind<Experiment>() {
+  return DocumentKind::experiment;
+}
+template <>
+inline const DocumentKind& declared_kind<Tuning>() {
+  return DocumentKind::tuning;
+}
+
+// Reads a loaded document, every value checked alone and against the others, telling of every mistake. After one, what
+// is read is good for nothing but to look for more of them.
+template <class Document>
+Document read_document(const Node& document, Mistakes& mistakes) {
+  require_kind(document, declared_kind<Document>());
+  Document out;
+  read(declare(out), document, "", mistakes);
+  check(out, document, mistakes);  // values that are sound one by one, against each other
+  return out;
+}
+template <>
+Team read_document<Team>(const Node& document, Mistakes& mistakes);
+
+// The same; throws Error at the first thing that is wrong.
+template <class Document>
+Document read_document(const Node& document) {
+  Mistakes first(Mistakes::After::stop);
+  return read_document<Document>(document, first);
+}
+// Of a file with what it extends, overrides laid over it ("path=value").
+template <class Document>
+Document read_document(const std::filesystem::path& file, const Overrides& overrides = {}) {
+  return read_document<Document>(load(file, overrides));
+}
+
+template <class Document>
+constexpr DocumentKind document_kind(std::string_view name, std::string_view about) {
+  return {name, about,
+          [](const DocumentKind::Use& use) {
+            Document document;
+            use(declare(document));
+          },
+          [](const Node& document, Mistakes& mistakes, const DocumentKind::Use& use) {
+            Document read = read_document<Document>(document, mistakes);
+            use(declare(read));
+          }};
+}
+
 std::span<const DocumentKind> document_kinds();
 // All names, with "or" or "and" before the last.
 std::string document_kind_names(std::string_view before_last);
 
 // Throws Error at the document when it says no kind.
-DocumentKind kind_of(const Node& document);
-
-// Throws Error at the document when it is of another kind.
-void require_kind(const Node& document, DocumentKind kind);
+const DocumentKind& kind_of(const Node& document);
 
 // Reads a document of whatever kind and returns the kind. Throws as the readers do.
-DocumentKind check(const std::filesystem::path& file, const Overrides& overrides = {});
+const DocumentKind& check(const std::filesystem::path& file, const Overrides& overrides = {});
 
 // The resolved document as YAML: every value that is in force, defaults too, each with its unit, its meaning and where
 // it came from. Reading it gives the same values. Parameters of plugins that are declared are shown like any other
 // value; those of other plugins as they stand. Throws as the readers do.
+std::string show(const Node& document, const DocumentKind& kind, std::span<const PluginDeclaration> plugins,
+                 Remarks remarks);
 std::string show(const Node& document, std::span<const PluginDeclaration> plugins = {},
                  Remarks remarks = Remarks::with);
 std::string show(const std::filesystem::path& file, const Overrides& overrides = {},
                  std::span<const PluginDeclaration> plugins = {});
-
-// Calls use() with the declaration of a kind of document that says nothing, so with all defaults.
-void with_declaration(DocumentKind kind, const std::function<void(const Map&)>& use);
 
 // What is asked of a study: its document, with values of options and of `--set` laid over it.
 struct StudyRequest {
@@ -97,10 +150,10 @@ struct StudyRequest {
   // Those whose first key the document has not are laid over the documents of its matches, so they go to its `set`.
   std::vector<std::string> set;
 };
-Node requested(const StudyRequest& request, DocumentKind kind);
+Node requested(const StudyRequest& request, const DocumentKind& kind);
 
 // JSON Schema (draft 2020-12) of a kind of document, for editors. With plugins, only those are known, each with its own
 // parameters; without, every plugin and every parameter passes. Files with `extends` need not be complete.
-std::string schema(DocumentKind kind, std::span<const PluginDeclaration> plugins = {});
+std::string schema(const DocumentKind& kind, std::span<const PluginDeclaration> plugins = {});
 
 }  // namespace regista::config

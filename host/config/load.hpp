@@ -17,8 +17,8 @@ struct Override {
   Node value;
   Location where;  // of the path
 
-  Override(std::string path, Node value, Location where)
-      : path(std::move(path)), value(std::move(value)), where(std::move(where)) {}
+  Override(std::string path_, Node value_, Location where_)
+      : path(std::move(path_)), value(std::move(value_)), where(std::move(where_)) {}
   // As it is typed, "path=value", the value in YAML: stands at "--set path=value". Throws Error for what is none.
   Override(const std::string& typed);
   Override(const char* typed) : Override(std::string(typed)) {}

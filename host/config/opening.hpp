@@ -50,6 +50,8 @@ struct Misfit {
 std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots);
 
 // The same as mistakes of the document.
+inline void check(const Opening& /*opening*/, const Node& /*document*/, Mistakes& /*mistakes*/) {}
+// Against what it is played by.
 void check(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots, const Node& document,
            Mistakes& mistakes);
 

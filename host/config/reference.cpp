@@ -18,32 +18,6 @@
 namespace regista::config {
 namespace {
 
-std::string_view about(DocumentKind kind) {
-  switch (kind) {
-    case DocumentKind::rules:
-      return "The game: field, ball, durations, penalties, messages. Key `rules`; the default is `spl2023`.";
-    case DocumentKind::robot:
-      return "What a robot can do and sense, and how wrongly it senses. Key `robot`; the default is `nao`.";
-    case DocumentKind::disturbance:
-      return "What goes wrong on purpose, and when. Key `disturbance`; the default is that nothing does.";
-    case DocumentKind::opening:
-      return "A scene that a game starts from. Key `opening`.";
-    case DocumentKind::team:
-      return "A strategy: which plugins, which roles, which weights. Key `team`. "
-             "[writing-a-team.md](writing-a-team.md) goes from an empty file to a team.";
-    case DocumentKind::predictor_study:
-      return "A predictor measured on a recording, for `regista evaluate-predictor`. Key `predictor_study`.";
-    case DocumentKind::tournament:
-      return "Teams that play each other, for `regista tournament`. Key `tournament`.";
-    case DocumentKind::experiment:
-      return "Arms compared in numbers of their matches, for `regista experiment`. Key `experiment`.";
-    case DocumentKind::tuning:
-      return "Numbers of a team searched for better ones, for `regista tune`. Key `tuning`.";
-  }
-  assert(false);
-  return {};
-}
-
 struct Form {
   std::string_view name, text;
 };
@@ -210,10 +184,10 @@ std::string reference_text(std::span<const DocumentKind> kinds) {
       "`roles.NAME[].target` is the key\n`target` of each element of the list that stands under a name of yours in "
       "`roles`.\n";
   std::set<std::string> used;
-  for (const DocumentKind kind : kinds) {
+  for (const DocumentKind& kind : kinds) {
     TableWriter writer(used);
-    with_declaration(kind, [&](const Map& declared) { writer.map(declared, ""); });
-    out += fmt::format("\n## {}\n\n{}\n\n{}", name_of(kind), about(kind), writer.text());
+    kind.with_defaults([&](const Map& declared) { writer.map(declared, ""); });
+    out += fmt::format("\n## {}\n\n{}\n\n{}", kind.name, kind.about, writer.text());
   }
   if (!used.empty()) out += "\n## Forms of values\n";
   for (const std::string& name : used) out += fmt::format("\n### {}\n\n{}\n", name, text_of_form(name));

@@ -229,7 +229,8 @@ TeamPage read_team_page(const Node& document) {
   return read_team_page(document, first);
 }
 
-Team read_team(const Node& document, Mistakes& mistakes) {
+template <>
+Team read_document<Team>(const Node& document, Mistakes& mistakes) {
   require_kind(document, DocumentKind::team);
   TeamPage page = read_team_page(document, mistakes);
   Team team;

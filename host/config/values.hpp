@@ -20,10 +20,13 @@ Node values_of(const Map& declared);
 // Bytes that are no UTF-8, as names of files may have them, become U+FFFD.
 std::string well_formed(const std::string& text);
 
-// The same as the text of a document, for one that can be declared.
+// The same as the text of a document.
+inline std::string document_text(const Map& declared) {
+  return well_formed(show(declared, Node(), {}, Remarks::without));
+}
 template <class Document>
 std::string document_text(Document document) {
-  return well_formed(show(declare(document), Node(), {}, Remarks::without));
+  return document_text(declare(document));
 }
 
 // Maps, lists, texts, numbers, true, false and null.

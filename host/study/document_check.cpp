@@ -49,8 +49,8 @@ std::optional<config::Warning> sketch_remark(const std::string& file) {
 
 class Checker {
  public:
-  Checker(const Profiles& by, const plugin::Catalogue& catalogue, const std::vector<std::string>& plugins)
-      : by_(by), catalogue_(catalogue), plugins_(plugins) {}
+  Checker(const Profiles& by, const plugin::Catalogue& catalogue, std::span<const StudyCheck> studies)
+      : by_(by), catalogue_(catalogue), studies_(studies) {}
 
   DocumentCheck check(const std::string& file) const {
     DocumentCheck out;
@@ -76,52 +76,24 @@ class Checker {
  private:
   void look_at(const config::Node& document, DocumentCheck& out, config::Mistakes& mistakes) const {
     using config::DocumentKind;
-    const DocumentKind kind = config::kind_of(document);
-    out.kind = config::name_of(kind);
-    switch (kind) {
-      case DocumentKind::rules:
-        config::read_rules(document, mistakes);
-        break;
-      case DocumentKind::robot:
-        config::read_robot(document, mistakes);
-        break;
-      case DocumentKind::disturbance:
-        config::read_disturbance(document, mistakes);
-        break;
-      case DocumentKind::opening:
-        config::check(config::read_opening(document, mistakes), by_.rules, by_.robots, document, mistakes);
-        break;
-      case DocumentKind::team:
-        look_at_team(document, out, mistakes);
-        break;
-      case DocumentKind::predictor_study: {
-        const config::PredictorStudy study = config::read_predictor_study(document, mistakes);
-        if (mistakes.none()) const Forecaster forecaster(study, catalogue_);  // what its plugin refuses
-        break;
-      }
-      case DocumentKind::tournament:
-        config::read_tournament(document, mistakes);
-        look_at_study(check_tournament, document, mistakes);  // every team from every scene
-        break;
-      case DocumentKind::experiment:
-        config::read_experiment(document, mistakes);
-        look_at_study(check_experiment, document, mistakes);  // every arm at every value
-        break;
-      case DocumentKind::tuning:
-        config::read_tuning(document, mistakes);
-        look_at_study(check_tuning, document, mistakes);  // team, opponents, parameters
-        break;
-    }
-  }
-
-  // A study whose document is sound in itself: whether it can be planned.
-  template <class Plan>
-  void look_at_study(Plan plan, const config::Node& document, config::Mistakes& mistakes) const {
-    if (mistakes.none()) plan(document, plugins_, catalogue_, mistakes);
+    const auto study = std::ranges::find_if(
+        studies_, [&](const StudyCheck& each) { return static_cast<bool>(document[each.document.name]); });
+    const DocumentKind& kind = study != studies_.end() ? study->document : config::kind_of(document);
+    out.kind = kind.name;
+    if (kind == DocumentKind::team) return look_at_team(document, out, mistakes);
+    kind.with_values(document, mistakes, [](const config::Map&) {});
+    if (kind == DocumentKind::opening)
+      config::check(config::read_document<config::Opening>(document, mistakes), by_.rules, by_.robots, document,
+                    mistakes);
+    if (!mistakes.none()) return;
+    // What is sound in itself: whether it can be planned.
+    if (kind == DocumentKind::predictor_study)
+      const Forecaster forecaster(config::read_document<config::PredictorStudy>(document), catalogue_);
+    if (study != studies_.end()) study->check(document, mistakes);
   }
 
   void look_at_team(const config::Node& document, DocumentCheck& out, config::Mistakes& mistakes) const {
-    const config::Team team = config::read_team(document, mistakes);
+    const config::Team team = config::read_document<config::Team>(document, mistakes);
     config::check(team, by_.rules, document, mistakes);
     const mind::TeamPlan plan(team, by_.rules, by_.robots[0], catalogue_, mistakes);  // what is wrong with plugins
     if (!mistakes.none()) return;
@@ -132,14 +104,14 @@ class Checker {
 
   const Profiles& by_;
   const plugin::Catalogue& catalogue_;
-  const std::vector<std::string>& plugins_;
+  std::span<const StudyCheck> studies_;
 };
 
 }  // namespace
 
 DocumentCheck check_document(const std::string& file, const Profiles& played_by, const plugin::Catalogue& catalogue,
-                             const std::vector<std::string>& plugin_folders) {
-  return Checker(played_by, catalogue, plugin_folders).check(file);
+                             std::span<const StudyCheck> studies) {
+  return Checker(played_by, catalogue, studies).check(file);
 }
 
 }  // namespace regista::study

@@ -6,6 +6,8 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,8 +35,13 @@ struct DocumentCheck {
   std::vector<config::Warning> warnings;
 };
 
-// plugin_folders: those the catalogue was opened with, as studies name them to their workers.
+// A kind of study, as far as its documents are checked: whether one that is sound in itself can be planned.
+struct StudyCheck {
+  config::DocumentKind document;
+  std::function<void(const config::Node& document, config::Mistakes& mistakes)> check;
+};
+
 DocumentCheck check_document(const std::string& file, const Profiles& played_by, const plugin::Catalogue& catalogue,
-                             const std::vector<std::string>& plugin_folders);
+                             std::span<const StudyCheck> studies);
 
 }  // namespace regista::study

@@ -186,7 +186,7 @@ ExperimentPlan experiment_plan_from_json(const std::string& text) {
     ExperimentPlan plan;
     read(json, plan);
     config::Mistakes first = mistakes_of_a_plan();
-    plan.asked = config::read_experiment(document_of(json), first);
+    plan.asked = config::read_document<config::Experiment>(document_of(json), first);
     if (!sound(plan)) throw std::out_of_range("what no experiment has");
     make_jobs(plan, {});
     return plan;

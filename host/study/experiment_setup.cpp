@@ -53,7 +53,7 @@ class Planner {
   Planner(const config::Node& document, const std::vector<std::string>& plugins, const plugin::Catalogue& catalogue,
           config::Mistakes& mistakes)
       : document_(document), catalogue_(catalogue), mistakes_(mistakes) {
-    plan_.asked = config::read_experiment(document);
+    plan_.asked = config::read_document<config::Experiment>(document);
     config::rename_files(declare(plan_.asked), from_here);
     plan_.folder = fs::current_path().string();
     plan_.plugins = plugins;

@@ -53,7 +53,7 @@ DocumentScenes document_scenes(const std::vector<config::NamedPath>& paths, std:
     const std::string who = config::to_string(path.where) + ": openings";
     for (const std::string& file : opening_files({path.path}, who)) {
       const config::Node document = config::load(file);
-      const config::Opening opening = config::read_opening(document);
+      const config::Opening opening = config::read_document<config::Opening>(document);
       for (const match::Setup& setup : setups) {
         if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
           config::refuse(document, {misfit->path}, misfit->reason);

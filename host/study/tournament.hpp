@@ -93,9 +93,7 @@ class Tournament final : public Study {
   bool complete() const { return at_its_end() || over(); }
   std::uint64_t matches() const;  // that counted
   const std::vector<Meeting>& meetings() const { return meetings_; }
-  const std::vector<Forfeits>& forfeits() const { return forfeits_.listed(); }
-  std::uint64_t unlisted_forfeits() const { return forfeits_.unlisted(); }
-  const std::vector<std::uint64_t>& failures() const { return forfeits_.of_team(); }  // by team
+  const ForfeitList& forfeits() const { return forfeits_; }  // by team
   const std::vector<SetAside>& set_aside() const { return set_aside_; }
   const MatchRemarks& remarks() const { return remarks_; }
   // Of the matches of short games that a team played to their end; of none where they are whole matches.

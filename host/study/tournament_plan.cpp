@@ -200,7 +200,7 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
     TournamentPlan plan;
     read(json, plan);
     config::Mistakes first = mistakes_of_a_plan();
-    plan.asked = config::read_tournament(document_of(json), first);
+    plan.asked = config::read_document<config::Tournament>(document_of(json), first);
     if (plan.teams.size() != plan.asked.teams.size() || !sound(plan)) throw std::out_of_range("what no tournament has");
     return plan;
   });

@@ -86,7 +86,7 @@ class Planner {
         mistakes_(mistakes),
         program_(campaign::program_hash()),
         mathematics_(campaign::mathematics_fingerprint()) {
-    plan_.asked = config::read_tournament(document);
+    plan_.asked = config::read_document<config::Tournament>(document);
     config::rename_files(declare(plan_.asked), from_here);
     plan_.teams.resize(plan_.asked.teams.size());
     plan_.folder = std::filesystem::current_path().string();

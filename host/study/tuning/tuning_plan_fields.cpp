@@ -180,7 +180,7 @@ TuningPlan tuning_plan_from_json(const std::string& text) {
     TuningPlan plan;
     read(json, plan);
     config::Mistakes first = mistakes_of_a_plan();
-    plan.asked = config::read_tuning(document_of(json), first);
+    plan.asked = config::read_document<config::Tuning>(document_of(json), first);
     if (plan.opponents.size() != plan.asked.opponents.size() || !algorithm_named(plan.asked.search.algorithm) ||
         !sound(plan))
       throw std::out_of_range("what no tuning has");

@@ -57,7 +57,7 @@ class Planner {
         mistakes_(mistakes),
         program_(campaign::program_hash()),
         mathematics_(campaign::mathematics_fingerprint()) {
-    plan_.asked = config::read_tuning(document);
+    plan_.asked = config::read_document<config::Tuning>(document);
     config::rename_files(declare(plan_.asked), from_here);
     plan_.folder = std::filesystem::current_path().string();
     plan_.plugins = plugins;
@@ -142,7 +142,7 @@ class Planner {
     }
     const config::Node document =
         config::override_with(*team_, config::typed_overrides(settings_of(plan_, start_values(plan_))));
-    config::read_team(document);
+    config::read_document<config::Team>(document);
     plan_.document = config::show(document, declarations, config::Remarks::without);
   }
 

@@ -33,9 +33,9 @@ TEST_P(Allocations, NoneInTheSteadyState) {
   const plugin::Catalogue catalogue({REGISTA_PLUGINS});
   match::Setup setup;
   setup.limit = end;
-  const mind::TeamPlan home(config::read_team(GetParam()), setup.rules, setup.robots[0], catalogue);
-  const mind::TeamPlan away(config::read_team(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules, setup.robots[1],
-                            catalogue);
+  const mind::TeamPlan home(config::read_document<config::Team>(GetParam()), setup.rules, setup.robots[0], catalogue);
+  const mind::TeamPlan away(config::read_document<config::Team>(REGISTA_CONFIGS "/teams/paper.yaml"), setup.rules,
+                            setup.robots[1], catalogue);
   std::size_t steps = 0, allocating = 0;
   match::Observer observer;
   observer.step = [&](const match::Snapshot& snapshot) {

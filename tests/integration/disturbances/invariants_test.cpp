@@ -163,8 +163,8 @@ Fixture random_fixture(int number) {
   if (dice.chance(0.5)) setup.rules.durations.ready = 10.0;
   if (dice.chance(0.3)) setup.rules.mercy_difference = 1;
   if (scene) {
-    setup.opening =
-        config::read_opening(std::filesystem::path(REGISTA_CONFIGS) / "openings" / (one_of(dice, openings) + ".yaml"));
+    setup.opening = config::read_document<config::Opening>(std::filesystem::path(REGISTA_CONFIGS) / "openings" /
+                                                           (one_of(dice, openings) + ".yaml"));
     setup.limit = 120.0;
   }
   for (const Side side : match::both_sides) {

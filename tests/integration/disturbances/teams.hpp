@@ -23,7 +23,7 @@ inline plugin::Catalogue& catalogue() {
 inline std::unique_ptr<const mind::TeamPlan> plan(const std::string& name, const config::Rules& rules = {},
                                                   const config::Robot& robot = {}) {
   const auto file = std::filesystem::path(REGISTA_CONFIGS) / "teams" / (name + ".yaml");
-  return std::make_unique<const mind::TeamPlan>(config::read_team(file), rules, robot, catalogue());
+  return std::make_unique<const mind::TeamPlan>(config::read_document<config::Team>(file), rules, robot, catalogue());
 }
 
 // A decision of a robot: what it believes of its pose, and where it is. Field frame of its team.

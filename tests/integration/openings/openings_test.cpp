@@ -33,7 +33,8 @@ class Openings : public ::testing::TestWithParam<fs::path> {
   static void SetUpTestSuite() {
     catalogue_.emplace(std::vector<fs::path>{REGISTA_PLUGINS});
     for (const char* name : {"paper", "fixed_rate"}) {
-      const config::Team team = config::read_team(fs::path(REGISTA_CONFIGS) / "teams" / (std::string(name) + ".yaml"));
+      const config::Team team =
+          config::read_document<config::Team>(fs::path(REGISTA_CONFIGS) / "teams" / (std::string(name) + ".yaml"));
       plans_.push_back(std::make_unique<const mind::TeamPlan>(team, config::Rules{}, config::Robot{}, *catalogue_));
     }
   }
@@ -44,7 +45,7 @@ class Openings : public ::testing::TestWithParam<fs::path> {
 
   static match::Result play(std::uint64_t seed, const match::Observer* observer = nullptr) {
     match::Setup setup;
-    setup.opening = config::read_opening(GetParam());
+    setup.opening = config::read_document<config::Opening>(GetParam());
     setup.seed = seed;
     return match::play(setup, {plans_[0].get(), plans_[1].get()}, observer);
   }
@@ -54,7 +55,7 @@ class Openings : public ::testing::TestWithParam<fs::path> {
 };
 
 TEST_P(Openings, IsPlayedForItsLength) {
-  const config::Opening opening = config::read_opening(GetParam());
+  const config::Opening opening = config::read_document<config::Opening>(GetParam());
   match::Observer observer;
   std::optional<double> began;
   observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
@@ -85,10 +86,11 @@ TEST_P(Openings, IsPlayedForItsLength) {
 match::Result play_with(config::ShortGames short_games, const config::Overrides& overrides,
                         const plugin::Catalogue& all, const fs::path& file) {
   match::Setup setup;
-  setup.opening = config::read_opening(file);
+  setup.opening = config::read_document<config::Opening>(file);
   setup.rules.messages.short_games = short_games;
   config::fit_packets(setup.rules, match::limit_of(setup), true);
-  const config::Team team = config::read_team(fs::path(REGISTA_CONFIGS) / "teams" / "paper.yaml", overrides);
+  const config::Team team =
+      config::read_document<config::Team>(fs::path(REGISTA_CONFIGS) / "teams" / "paper.yaml", overrides);
   const mind::TeamPlan plan(team, setup.rules, config::Robot{}, all);
   return match::play(setup, {&plan, &plan});
 }
@@ -99,7 +101,7 @@ TEST_P(Openings, NobodySpendsMoreThanTheShare) {
   const config::Overrides much{"sender.params.minimum_interval=0.5", "sender.params.period=0.5",
                                "sender.params.period_goalkeeper=0.5", "sender.params.pace=none",
                                "sender.params.reserve=10"};
-  const double length = config::read_opening(GetParam()).length;
+  const double length = config::read_document<config::Opening>(GetParam()).length;
   const auto whole = play_with(config::ShortGames::whole, much, *catalogue_, GetParam());
   const auto share = play_with(config::ShortGames::share, much, *catalogue_, GetParam());
   EXPECT_GT(whole.packets[0], 1.5 * length);

@@ -27,7 +27,8 @@ const std::string simulation = REGISTA_SHARED_DATA "/robocup2d/";
 using Row = std::array<double, horizon_count>;
 
 Evaluation evaluate(const std::string& name, const std::string& data, const config::Overrides& overrides = {}) {
-  const config::PredictorStudy study = config::read_predictor_study(REGISTA_STUDIES "/" + name + ".yaml", overrides);
+  const config::PredictorStudy study =
+      config::read_document<config::PredictorStudy>(REGISTA_STUDIES "/" + name + ".yaml", overrides);
   const plugin::Catalogue catalogue({REGISTA_PLUGIN_FOLDER});
   const Evaluation result = study::evaluate(study, read_recording(study, data, {}), &catalogue);
   for (const AtHorizon& at : result.horizons) {

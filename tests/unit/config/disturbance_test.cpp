@@ -11,7 +11,7 @@ namespace regista::config {
 namespace {
 
 Disturbance read(const std::string& incidents) {
-  return read_disturbance(parse_text("disturbance: d\nincidents:\n" + incidents, "t.yaml"));
+  return read_document<Disturbance>(parse_text("disturbance: d\nincidents:\n" + incidents, "t.yaml"));
 }
 
 TEST(Disturbance, WhomAndWhen) {
@@ -53,7 +53,8 @@ TEST(Disturbance, EveryKindReadsBackTheSame) {
   const std::string shown = show(document);
   EXPECT_EQ(show(parse_text(shown, "t.yaml")).size(),
             show(parse_text(show(parse_text(shown, "t.yaml")), "t.yaml")).size());
-  const Disturbance before = read_disturbance(document), after = read_disturbance(parse_text(shown, "shown.yaml"));
+  const Disturbance before = read_document<Disturbance>(document),
+                    after = read_document<Disturbance>(parse_text(shown, "shown.yaml"));
   ASSERT_EQ(after.incidents.size(), incident_kinds().size());
   for (std::size_t i = 0; i < after.incidents.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(after.incidents[i].kind), i);
@@ -70,10 +71,10 @@ TEST(Disturbance, PathsReachAnIncident) {
   const Node document =
       parse_text("disturbance: d\nincidents: [{name: late, kind: radio_delay, delay: 1, at: 0}]\n", "t.yaml");
   const Disturbance d =
-      read_disturbance(override_with(document, {"incidents.late.delay=2.5", "incidents.0.at=[3, 4]"}));
+      read_document<Disturbance>(override_with(document, {"incidents.late.delay=2.5", "incidents.0.at=[3, 4]"}));
   EXPECT_EQ(d.incidents[0].delay, 2.5);
   EXPECT_EQ(d.incidents[0].at, (std::vector{3.0, 4.0}));
-  EXPECT_EQ(error_of([&] { read_disturbance(override_with(document, {"incidents.late.robots=0"})); }),
+  EXPECT_EQ(error_of([&] { read_document<Disturbance>(override_with(document, {"incidents.late.robots=0"})); }),
             "--set incidents.late.robots=0: incidents.0.robots: 0 is outside 1 to 22 robots");
 }
 
@@ -112,7 +113,7 @@ TEST(Disturbance, AsManyGhostBallsAsCanStrikeARobot) {
     for (int i = 0; i < of_robot_2; ++i) page += "  - {kind: ghost_ball, robots: 2, at: 1}\n";
     for (int i = 0; i < of_anybody; ++i) page += "  - {kind: ghost_ball, robots: any, at: 1}\n";
     const Node document = parse_text(page, "t.yaml");
-    return error_of([&] { check(read_disturbance(document), Rules{}, document); });
+    return error_of([&] { check(read_document<Disturbance>(document), Rules{}, document); });
   };
   EXPECT_EQ(refused(8, 0), "");
   EXPECT_EQ(refused(3, 5), "");
@@ -124,7 +125,7 @@ TEST(Disturbance, AsManyGhostBallsAsCanStrikeARobot) {
 
 TEST(Disturbance, RobotsThatATeamDoesNotHave) {
   const Node document = parse_text("disturbance: d\nincidents: [{kind: crash, robots: [2, 6], at: 1}]\n", "t.yaml");
-  const Disturbance d = read_disturbance(document);
+  const Disturbance d = read_document<Disturbance>(document);
   Rules rules;
   check(d, rules, document);
   rules.team_size = 5;

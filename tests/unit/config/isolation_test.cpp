@@ -49,8 +49,8 @@ TEST_F(IsolationKeys, AreReadAndShown) {
       EXPECT_EQ(shown["isolation"].text(), each.isolation == Isolation::always ? "always" : "after-death");
       EXPECT_EQ(shown["play_twice"].text(), each.play_twice ? "true" : "false");
       for (const Node& read : {document, shown}) {
-        if (read["experiment"]) expect(read_experiment(read), each.isolation, each.play_twice);
-        if (read["tuning"]) expect(read_tuning(read), each.isolation, each.play_twice);
+        if (read["experiment"]) expect(read_document<Experiment>(read), each.isolation, each.play_twice);
+        if (read["tuning"]) expect(read_document<Tuning>(read), each.isolation, each.play_twice);
       }
     }
   }
@@ -62,7 +62,8 @@ TEST_F(IsolationKeys, AnotherWordIsRefusedWithTheNearest) {
     const Node document = load("s.yaml");
     std::string says;
     try {
-      document["tuning"] ? static_cast<void>(read_tuning(document)) : static_cast<void>(read_experiment(document));
+      document["tuning"] ? static_cast<void>(read_document<Tuning>(document))
+                         : static_cast<void>(read_document<Experiment>(document));
     } catch (const Error& error) {
       says = error.what();
     }

@@ -28,35 +28,11 @@ std::string with(std::string text, const Planted& planted) {
 }
 
 void read_any(const Node& document, Mistakes& mistakes) {
-  switch (kind_of(document)) {
-    case DocumentKind::rules:
-      read_rules(document, mistakes);
-      return;
-    case DocumentKind::robot:
-      read_robot(document, mistakes);
-      return;
-    case DocumentKind::disturbance:
-      read_disturbance(document, mistakes);
-      return;
-    case DocumentKind::opening:
-      check(read_opening(document, mistakes), Rules{}, {}, document, mistakes);
-      return;
-    case DocumentKind::team:
-      check(read_team(document, mistakes), Rules{}, document, mistakes);
-      return;
-    case DocumentKind::predictor_study:
-      read_predictor_study(document, mistakes);
-      return;
-    case DocumentKind::tournament:
-      read_tournament(document, mistakes);
-      return;
-    case DocumentKind::experiment:
-      read_experiment(document, mistakes);
-      return;
-    case DocumentKind::tuning:
-      read_tuning(document, mistakes);
-      return;
-  }
+  const DocumentKind& kind = kind_of(document);
+  kind.with_values(document, mistakes, [](const Map&) {});
+  if (kind == DocumentKind::opening)
+    check(read_document<Opening>(document, mistakes), Rules{}, {}, document, mistakes);
+  if (kind == DocumentKind::team) check(read_document<Team>(document, mistakes), Rules{}, document, mistakes);
 }
 
 std::vector<std::string> all_of(const std::string& text) {
@@ -251,7 +227,7 @@ TEST(Mistakes, OfALargePageAreCountedButNotAllKept) {
   constexpr std::size_t count = 12'000;
   for (std::size_t i = 0; i < count; ++i) page += fmt::format("key_{}: 1\n", i);
   Mistakes mistakes(Mistakes::After::go_on);
-  EXPECT_LT(seconds_of([&] { read_rules(parse_text(page, "page.yaml"), mistakes); }), 5.0);
+  EXPECT_LT(seconds_of([&] { read_document<Rules>(parse_text(page, "page.yaml"), mistakes); }), 5.0);
   EXPECT_EQ(mistakes.total(), count);
   EXPECT_EQ(mistakes.in_order("page.yaml").size(), 10'000u);
 }

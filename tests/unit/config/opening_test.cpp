@@ -30,7 +30,7 @@ away:
   - {at: [1, 2.5]}
 )";
 
-Opening read(std::string_view text) { return read_opening(parse_text(std::string(text), "t.yaml")); }
+Opening read(std::string_view text) { return read_document<Opening>(parse_text(std::string(text), "t.yaml")); }
 
 std::string with(std::string_view old, std::string_view replacement) {
   std::string text(scene);
@@ -82,8 +82,8 @@ TEST(Opening, IsShownSoThatItReadsAsTheSame) {
 
 TEST(Opening, ValuesAreLaidOver) {
   const Node document = override_with(parse_text(std::string(scene), "t.yaml"), {"length=25", "home.0.at=[-3, 1]"});
-  EXPECT_EQ(read_opening(document).length, 25.0);
-  EXPECT_EQ(read_opening(document).home[0].at, (std::array{-3.0, 1.0}));
+  EXPECT_EQ(read_document<Opening>(document).length, 25.0);
+  EXPECT_EQ(read_document<Opening>(document).home[0].at, (std::array{-3.0, 1.0}));
 }
 
 TEST(Opening, WhatIsRefused) {
@@ -217,7 +217,7 @@ TEST(Misfit, LooksAtTheRobotsThatTakePart) {
 std::map<std::string, Opening> shipped() {
   std::map<std::string, Opening> out;
   for (const auto& entry : std::filesystem::directory_iterator(project / "configs/openings")) {
-    out.emplace(entry.path().stem().string(), read_opening(entry.path()));
+    out.emplace(entry.path().stem().string(), read_document<Opening>(entry.path()));
   }
   return out;
 }

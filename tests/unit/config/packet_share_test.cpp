@@ -42,7 +42,7 @@ TEST(PacketShare, RoundingTakesNoPacketAway) {
 }
 
 TEST(PacketShare, IsTheWholeUnlessAskedFor) {
-  EXPECT_EQ(read_rules(project / "configs/rules/spl2023.yaml").messages.short_games, ShortGames::whole);
+  EXPECT_EQ(read_document<Rules>(project / "configs/rules/spl2023.yaml").messages.short_games, ShortGames::whole);
   const Rules rules = for_game(30.0, ShortGames::whole);
   EXPECT_EQ(rules.messages.share, 1.0);
   EXPECT_EQ(packets(rules.messages), 1200);
@@ -74,7 +74,7 @@ TEST(PacketLine, PhasesThatAreMissingTakeNoTime) {
 }
 
 TEST(PacketLine, OfTheHumanoidLeagueIsTenTimesAsHigh) {
-  const Rules rules = read_rules(project / "configs/rules/hsl2026.yaml");
+  const Rules rules = read_document<Rules>(project / "configs/rules/hsl2026.yaml");
   EXPECT_EQ(packet_line(rules, 1300.0), 12000.0);
   EXPECT_EQ(packet_line(rules, 650.0), 6000.0);
   EXPECT_EQ(packet_line(rules, 0.0), 0.0);
@@ -113,9 +113,10 @@ TEST(PacketLine, OfALimitedGameFromTheKickOff) {
 }
 
 TEST(PacketShare, IsPartOfTheDocument) {
-  EXPECT_EQ(read_rules(override_with(load(project / "configs/rules/spl2023.yaml"), {"messages.short_games=share"}))
-                .messages.short_games,
-            ShortGames::share);
+  EXPECT_EQ(
+      read_document<Rules>(override_with(load(project / "configs/rules/spl2023.yaml"), {"messages.short_games=share"}))
+          .messages.short_games,
+      ShortGames::share);
   EXPECT_NE(schema(DocumentKind::rules).find("short_games"), std::string::npos);
 }
 

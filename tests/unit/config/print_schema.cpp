@@ -40,10 +40,10 @@ static std::vector<PluginDeclaration> fixture_plugins() {
 int main(int count, char** arguments) {
   if (count < 2) return 2;
   const std::vector<PluginDeclaration> plugins = count > 2 ? fixture_plugins() : std::vector<PluginDeclaration>{};
-  for (const DocumentKind kind :
+  for (const DocumentKind& kind :
        {DocumentKind::rules, DocumentKind::robot, DocumentKind::disturbance, DocumentKind::opening, DocumentKind::team,
         DocumentKind::tournament, DocumentKind::tuning}) {
-    if (name_of(kind) == arguments[1]) {
+    if (kind.name == arguments[1]) {
       std::fputs(schema(kind, plugins).c_str(), stdout);
       return 0;
     }

@@ -50,13 +50,13 @@ TEST(Documents, EveryShippedOneIsSound) {
 TEST(Profiles, FilesAndStructsAgree) {
   for (const char* file : profiles) {
     const Node document = parse(project / file);
-    const std::string kind(name_of(kind_of(document)));
+    const std::string kind(kind_of(document).name);
     const Node bare = parse_text(kind + ": " + document[kind].text(), "bare.yaml");
     EXPECT_TRUE(same(shown(document), shown(bare))) << show(document) << show(bare);
   }
-  EXPECT_EQ(Rules{}.name, read_rules(project / profiles[0]).name);
-  EXPECT_EQ(Robot{}.name, read_robot(project / profiles[1]).name);
-  EXPECT_EQ(Disturbance{}.name, read_disturbance(project / profiles[2]).name);
+  EXPECT_EQ(Rules{}.name, read_document<Rules>(project / profiles[0]).name);
+  EXPECT_EQ(Robot{}.name, read_document<Robot>(project / profiles[1]).name);
+  EXPECT_EQ(Disturbance{}.name, read_document<Disturbance>(project / profiles[2]).name);
 }
 
 TEST(Profiles, FilesSayEveryValue) {
@@ -101,20 +101,20 @@ TEST(Profiles, EveryValueCanBeSetAlone) {
 
 TEST(Profiles, DegreesBecomeRadians) {
   const Robot robot =
-      read_robot(parse_text("robot: r\nwalk: {turn_deg: 180}\ncamera: {half_angle_deg: 45}\n", "r.yaml"));
+      read_document<Robot>(parse_text("robot: r\nwalk: {turn_deg: 180}\ncamera: {half_angle_deg: 45}\n", "r.yaml"));
   EXPECT_DOUBLE_EQ(robot.walk.turn, 3.14159265358979323846);
   EXPECT_DOUBLE_EQ(robot.camera.half_angle, 0.78539816339744830962);
 }
 
 TEST(Profiles, PublishedFigures) {
-  const Rules rules = read_rules(project / profiles[0]);
+  const Rules rules = read_document<Rules>(project / profiles[0]);
   EXPECT_EQ(rules.field.length, 9.0);
   EXPECT_EQ(rules.field.width, 6.0);
   EXPECT_DOUBLE_EQ(rules.field.goal_width / 2 + rules.field.post_diameter / 2, 0.8) << "centres of the posts";
   EXPECT_EQ(rules.messages.budget, 1200);
   EXPECT_EQ(rules.messages.size, 128);
   EXPECT_EQ(rules.team_size, 7);
-  const Robot robot = read_robot(project / profiles[1]);
+  const Robot robot = read_document<Robot>(project / profiles[1]);
   ASSERT_EQ(robot.kicks.size(), 3u);
   EXPECT_EQ(robot.kicks[0].name, "fast");
   EXPECT_EQ(robot.kicks[1].maximum_distance, 5.4);
@@ -195,15 +195,16 @@ TEST(Profiles, WhatIsRefused) {
 
 TEST(Profiles, OfAnotherKind) {
   const Node robot = parse_text("robot: r\n", "t.yaml");
-  EXPECT_EQ(error_of([&] { read_rules(robot); }), "t.yaml:1:1: this is a robot document; expected a rules document");
+  EXPECT_EQ(error_of([&] { read_document<Rules>(robot); }),
+            "t.yaml:1:1: this is a robot document; expected a rules document");
 }
 
 TEST(Profiles, OverridesAreCheckedLikeFiles) {
   const auto file = project / profiles[0];
-  EXPECT_EQ(read_rules(file, {"team_size=5", "field={length: 14, width: 9}"}).field.length, 14.0);
-  EXPECT_EQ(error_of([&] { read_rules(file, {"team_size=0"}); }),
+  EXPECT_EQ(read_document<Rules>(file, {"team_size=5", "field={length: 14, width: 9}"}).field.length, 14.0);
+  EXPECT_EQ(error_of([&] { read_document<Rules>(file, {"team_size=0"}); }),
             "--set team_size=0: team_size: 0 is outside 1 to 22 robots");
-  EXPECT_EQ(error_of([&] { read_rules(file, {"messages.bugdet=5"}); }),
+  EXPECT_EQ(error_of([&] { read_document<Rules>(file, {"messages.bugdet=5"}); }),
             "--set messages.bugdet=5: unknown key \"bugdet\" in messages; nearest: \"budget\"; known: budget, "
             "size, short_games");
   EXPECT_EQ(check(file), DocumentKind::rules);

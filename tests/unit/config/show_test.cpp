@@ -45,7 +45,7 @@ TEST(Show, ATeamReadsBackTheSame) {
   const Node document = parse(project / "tests/fixtures/config/team.yaml");
   const Node shown = parse_text(show(document), "shown.yaml");
   EXPECT_TRUE(same(shown, parse_text(show(shown), "again.yaml")));
-  const Team a = read_team(document), b = read_team(shown);
+  const Team a = read_document<Team>(document), b = read_document<Team>(shown);
   ASSERT_EQ(a.contexts.size(), b.contexts.size());
   for (std::size_t i = 0; i < a.contexts.size(); ++i) {
     EXPECT_EQ(a.contexts[i].name, b.contexts[i].name);
@@ -65,7 +65,8 @@ TEST(Show, DegreesComeBackExactly) {
     const double degrees = std::uniform_real_distribution(1.0, 3600.0)(random);
     const Node document = text(fmt::format("robot: r\nwalk: {{turn_deg: {:.{}g}}}\n", degrees, 1 + i % 17));
     const Node shown = parse_text(show(document), "shown.yaml");
-    EXPECT_EQ(read_robot(document).walk.turn, read_robot(shown).walk.turn) << shown["walk"]["turn_deg"].text();
+    EXPECT_EQ(read_document<Robot>(document).walk.turn, read_document<Robot>(shown).walk.turn)
+        << shown["walk"]["turn_deg"].text();
   }
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 std::string misplaced(const std::vector<int>& robots, int size) {
   const Node document = parse_text(small_page("{name: late, plugin: c}", roles_for(robots)), "t.yaml");
-  return error_of([&] { check(read_team(document), of_size(size), document); });
+  return error_of([&] { check(read_document<Team>(document), of_size(size), document); });
 }
 
 TEST(TeamSize, RolesAreForRobotsThatATeamHas) {

@@ -14,7 +14,7 @@ namespace {
 const std::filesystem::path fixture = project / "tests/fixtures/config/team.yaml";
 
 TEST(Team, ReadsEveryKeyOfThePage) {
-  const Team team = read_team(fixture);
+  const Team team = read_document<Team>(fixture);
   EXPECT_EQ(team.name, "example");
   EXPECT_EQ(team.file, fixture.string());
   EXPECT_EQ(team.ball.plugin, "kalman_ball");
@@ -66,7 +66,7 @@ TEST(Team, ReadsEveryKeyOfThePage) {
 }
 
 TEST(Team, EveryContextHasItsOwnValues) {
-  const Team team = read_team(fixture);
+  const Team team = read_document<Team>(fixture);
   ASSERT_EQ(team.contexts.size(), 2u);
   const Context &search = team.contexts[0], &playing = team.contexts[1];
   EXPECT_EQ(search.name, "search") << "the highest priority first";
@@ -99,7 +99,7 @@ TEST(Team, EveryContextHasItsOwnValues) {
 }
 
 TEST(Team, OverridesReachEverything) {
-  const Team team = read_team(
+  const Team team = read_document<Team>(
       fixture,
       {"contexts.search.priority=-1", "contexts.search.use.roles=playing", "contexts.search.use.sender.params.period=7",
        "roles.playing.striker.robot=9", "utility.terms.extra={plugin: more, weight: 0.3}", "utility.terms.waypoint=~",
@@ -125,18 +125,18 @@ TEST_F(TeamFiles, PinnedPluginsAreFoundBesideTheFileThatNamesThem) {
   write("other.so", "x");
   write("base/pinned.yaml", "extends: team.yaml\nassigner: {file: plugins/greedy.so}\n");
   write("top.yaml", "extends: base/pinned.yaml\nteam: top\n");
-  const Team team = read_team("top.yaml", {"sender.file=other.so"});
+  const Team team = read_document<Team>("top.yaml", {"sender.file=other.so"});
   EXPECT_EQ(team.contexts[0].assigner.file, (folder_ / "base/plugins/greedy.so").string());
   EXPECT_EQ(team.contexts[0].sender.file, (folder_ / "other.so").string()) << "relative to the current folder";
   EXPECT_EQ(team.contexts[0].terms[0].use.file, "");
   // What is shown names them absolutely, so it can be kept anywhere.
-  EXPECT_EQ(read_team(parse_text(show("top.yaml"), "elsewhere/shown.yaml")).contexts[0].assigner.file,
+  EXPECT_EQ(read_document<Team>(parse_text(show("top.yaml"), "elsewhere/shown.yaml")).contexts[0].assigner.file,
             team.contexts[0].assigner.file);
-  EXPECT_EQ(error_of([] { read_team("top.yaml", {"sender.file=othr.so"}); }),
+  EXPECT_EQ(error_of([] { read_document<Team>("top.yaml", {"sender.file=othr.so"}); }),
             "--set sender.file=othr.so: sender.file: othr.so: no such file; nearest: \"other.so\"");
-  EXPECT_EQ(error_of([] { read_team("top.yaml", {"sender.file=base"}); }),
+  EXPECT_EQ(error_of([] { read_document<Team>("top.yaml", {"sender.file=base"}); }),
             "--set sender.file=base: sender.file: base: is not a regular file");
-  EXPECT_EQ(error_of([] { read_team("top.yaml", {"sender.file=~"}); }),
+  EXPECT_EQ(error_of([] { read_document<Team>("top.yaml", {"sender.file=~"}); }),
             "--set sender.file=~: nothing to remove: unknown key \"file\"; known: plugin, params");
 }
 
@@ -150,7 +150,7 @@ const char* const page =
     "roles: {playing: [{name: striker, target: {at: ball}}]}\n";                                            // 6
 
 TEST(Team, TheSmallestPage) {
-  const Team team = read_team(parse_text(page, "t.yaml"));
+  const Team team = read_document<Team>(parse_text(page, "t.yaml"));
   EXPECT_EQ(team.contexts[0].positioner.plugin, "");
   EXPECT_TRUE(team.contexts[0].terms.empty());
   EXPECT_EQ(team.forget_teammate_after, 25.0);
@@ -163,7 +163,7 @@ TEST(Team, ABehaviourIsThePluginOfItsNameUnlessThePageSaysIt) {
       "centre}}, {name: u, target: {at: ball}}]}\n"
       "behaviours: {press: {plugin: hunt, params: {near: 2}}, play_ball: {params: {goal_bonus: 5}}}\n"
       "behaviour_without_role: dance\n";
-  const Team team = read_team(parse_text(with_behaviours, "t.yaml"));
+  const Team team = read_document<Team>(parse_text(with_behaviours, "t.yaml"));
   const std::vector<Role>& roles = team.role_lists[0].roles;
   const auto meant = [&](std::size_t i) { return team.behaviour_named(roles[i].behaviour, roles[i].behaviour_where); };
   EXPECT_EQ(meant(0).plugin, "hunt");
@@ -188,7 +188,7 @@ TEST(Team, AContextMovesRoles) {
       "roles:\n"
       "  playing: [{name: striker, target: {at: ball}}, {name: wing, target: {at: ball, shift: [1, 0]}}]\n"
       "  other: [{name: keeper, target: {at: own_goal}}, {name: wing, target: {at: ball, shift: [1, 0]}}]\n";
-  const Team team = read_team(parse_text(text, "t.yaml"));
+  const Team team = read_document<Team>(parse_text(text, "t.yaml"));
   const auto target = [&](std::size_t context, std::size_t place) {
     const Context& each = team.contexts[context];
     return each.target_of(place, team.role_lists[static_cast<std::size_t>(each.role_list)].roles[place]);
@@ -210,7 +210,7 @@ TEST(Team, OfAnUnknownListNoRoleIsRefused) {
       std::string_view(page).find("contexts:"), std::string_view("contexts: [{name: playing, plugin: always}]").size(),
       "contexts: [{name: p, plugin: a, use: {roles: nosuch, targets: {keeper: {at: ball}}}}]");
   Mistakes mistakes(Mistakes::After::go_on);
-  read_team(parse_text(text, "t.yaml"), mistakes);
+  read_document<Team>(parse_text(text, "t.yaml"), mistakes);
   const std::vector<Error> found = mistakes.in_order("t.yaml");
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].message(), "unknown list of roles \"nosuch\"; known: playing");
@@ -371,7 +371,7 @@ TEST(Team, WhatIsRefused) {
       text += (static_cast<int>(i) + 1 == each.line ? std::string(each.text) : lines[i]) + '\n';
     }
     if (each.line == 0) text += std::string(each.text) + '\n';
-    EXPECT_EQ(error_of([&] { read_team(parse_text(text, "t.yaml")); }), each.expected) << each.text;
+    EXPECT_EQ(error_of([&] { read_document<Team>(parse_text(text, "t.yaml")); }), each.expected) << each.text;
   }
 }
 
@@ -390,7 +390,7 @@ TEST_F(TeamFiles, WhatAPageLaysOverAnotherIsRefusedWhereItStands) {
         "    - {name: wing, target: {on_line: [ball, centre]}}\n");
   const auto refused = [this](const std::string& roles, const Overrides& overrides = {}) {
     write("over.yaml", "extends: base.yaml\nroles:\n" + roles);
-    return error_of([&] { read_team("over.yaml", overrides); });
+    return error_of([&] { read_document<Team>("over.yaml", overrides); });
   };
   const std::string one = "roles.playing.0.target: expected exactly one of at, on_line, on_circle; ";
   EXPECT_EQ(refused("  playing: {wing: {target: {on_line: [ball, centre]}}}\n"),

@@ -23,7 +23,7 @@ std::string page(const std::string& roles) {
 std::vector<std::string> warned(const std::vector<int>& robots, int size) {
   const Node document = parse_text(page(roles_for(robots)), "t.yaml");
   std::vector<std::string> out;
-  for (const Warning& each : warnings(read_team(document), of_size(size), document)) {
+  for (const Warning& each : warnings(read_document<Team>(document), of_size(size), document)) {
     if (each.message.ends_with(" will stand")) out.push_back(to_string(each));
   }
   return out;
@@ -33,7 +33,8 @@ std::vector<std::string> warned(const std::vector<int>& robots, int size) {
 std::vector<std::string> missing(const std::string& roles) {
   const Node document = parse_text(page(roles), "t.yaml");
   std::vector<std::string> out;
-  for (const Warning& each : warnings(read_team(document), of_size(2), document)) out.push_back(to_string(each));
+  for (const Warning& each : warnings(read_document<Team>(document), of_size(2), document))
+    out.push_back(to_string(each));
   return out;
 }
 
@@ -73,7 +74,8 @@ TEST(TeamWarnings, AContextBelowOneThatAlwaysHolds) {
                               "{at: ball}}\n"),
                    "t.yaml");
     std::vector<std::string> out;
-    for (const Warning& each : warnings(read_team(document), of_size(2), document)) out.push_back(to_string(each));
+    for (const Warning& each : warnings(read_document<Team>(document), of_size(2), document))
+      out.push_back(to_string(each));
     return out;
   };
   EXPECT_EQ(warned_of("{name: late, priority: 1, plugin: c}, {name: rest, plugin: always}"),
@@ -134,7 +136,7 @@ TEST(TeamWarnings, TargetsOfContextsOffTheField) {
             fmt::format("{{name: corner, priority: 1, plugin: c, use: {{{}}}}}, {{name: p, plugin: always}}", written),
             "    - {name: goalkeeper, target: {at: own_goal}}\n    - {name: striker, target: {at: ball}}\n"),
         "t.yaml");
-    const std::vector<Warning> found = warnings(read_team(document), of_size(2), document);
+    const std::vector<Warning> found = warnings(read_document<Team>(document), of_size(2), document);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(
         to_string(found[0]),
@@ -187,7 +189,7 @@ TEST(TeamWarnings, ShippedTeamsPlayWithEveryRobotOfSeven) {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(project / "configs/teams")) {
     if (!entry.is_regular_file()) continue;
     const Node document = load(entry.path());
-    const Team team = read_team(document);
+    const Team team = read_document<Team>(document);
     EXPECT_TRUE(warnings(team, Rules{}, document).empty()) << entry.path();
   }
 }

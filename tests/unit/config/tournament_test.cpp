@@ -24,12 +24,12 @@ class TournamentDocument : public InFolder {
   static std::string absolute(const char* file) { return std::filesystem::absolute(file).lexically_normal().string(); }
   Tournament read(const std::string& text) const {
     write("t.yaml", text);
-    return read_tournament(std::filesystem::path("t.yaml"));
+    return read_document<Tournament>(std::filesystem::path("t.yaml"));
   }
   std::vector<std::string> mistakes(const std::string& text) const {
     write("t.yaml", text);
     Mistakes found(Mistakes::After::go_on);
-    read_tournament(load("t.yaml"), found);
+    read_document<Tournament>(load("t.yaml"), found);
     std::vector<std::string> out;
     for (const Error& each : found.in_order("t.yaml")) out.emplace_back(each.what());
     return out;

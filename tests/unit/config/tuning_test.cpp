@@ -25,7 +25,7 @@ class TuningDocument : public InFolder {
 
   Tuning read(const std::string& text) const {
     write("t.yaml", text);
-    return read_tuning(std::filesystem::path("t.yaml"));
+    return read_document<Tuning>(std::filesystem::path("t.yaml"));
   }
 };
 
@@ -137,11 +137,12 @@ TEST_F(TuningDocument, OneOpeningNeedsNoList) {
 
 TEST_F(TuningDocument, OverridesAndVariants) {
   write("t.yaml", whole);
-  const Tuning set = read_tuning(std::filesystem::path("t.yaml"), {"search.matches=40", "parameters.1.range=[20, 30]"});
+  const Tuning set =
+      read_document<Tuning>(std::filesystem::path("t.yaml"), {"search.matches=40", "parameters.1.range=[20, 30]"});
   EXPECT_EQ(set.search.matches, 40);
   EXPECT_EQ(*set.parameters[1].range, (std::array{20.0, 30.0}));
   write("v.yaml", "extends: t.yaml\ntuning: variant\nobjective: {minimise: ~, maximise: points}\n");
-  const Tuning variant = read_tuning(std::filesystem::path("v.yaml"));
+  const Tuning variant = read_document<Tuning>(std::filesystem::path("v.yaml"));
   EXPECT_EQ(variant.name, "variant");
   EXPECT_EQ(variant.objective.maximise.size(), 1u);
   EXPECT_EQ(variant.objective.minimise.size(), 0u);
@@ -156,7 +157,7 @@ TEST_F(TuningDocument, ShownReadsBackTheSame) {
     const Node document = load("t.yaml");
     for (const Remarks remarks : {Remarks::with, Remarks::without}) {
       const std::string shown = show(document, {}, remarks);
-      const Tuning a = read_tuning(document), b = read_tuning(parse_text(shown, "shown.yaml"));
+      const Tuning a = read_document<Tuning>(document), b = read_document<Tuning>(parse_text(shown, "shown.yaml"));
       EXPECT_EQ(show(parse_text(shown, "shown.yaml"), {}, Remarks::without), show(document, {}, Remarks::without));
       EXPECT_EQ(a.name, b.name);
       EXPECT_EQ(a.team, b.team);
@@ -284,7 +285,7 @@ TEST_F(TuningDocument, EmptyAndMissingParts) {
 }
 
 TEST_F(TuningDocument, TheShippedOneIsRead) {
-  const Tuning tuning = read_tuning(project / "configs/studies/tune_paper.yaml");
+  const Tuning tuning = read_document<Tuning>(project / "configs/studies/tune_paper.yaml");
   EXPECT_FALSE(tuning.parameters.empty());
   EXPECT_FALSE(tuning.opponents.empty());
 }

@@ -65,7 +65,7 @@ TEST_F(SetAsideTest, AMatchPlayedToItsEndBreaksTheRow) {
     EXPECT_TRUE(forfeited_by(nobody));
   }
   EXPECT_THAT(course->set_aside(), testing::IsEmpty());
-  EXPECT_THAT(course->failures(), ElementsAre(300, 0));
+  EXPECT_THAT(course->forfeits().of_team(), ElementsAre(300, 0));
 }
 
 TEST_F(SetAsideTest, AnotherPluginBeginsAnotherRow) {
@@ -141,8 +141,8 @@ TEST_F(SetAsideTest, TheRestPlaysOnAndWhatIsIgnoredMayHoldAnything) {
     ASSERT_EQ(course->set_aside().size(), 1u);
     EXPECT_EQ(course->set_aside().front().team, 1u);
     EXPECT_EQ(course->set_aside().front().pair, 0u);
-    EXPECT_THAT(course->failures(), ElementsAre(0, 2, 0));
-    ASSERT_EQ(course->forfeits().size(), 1u);
+    EXPECT_THAT(course->forfeits().of_team(), ElementsAre(0, 2, 0));
+    ASSERT_EQ(course->forfeits().listed().size(), 1u);
     for (const Meeting& meeting : course->meetings()) {
       pairs[held ? 1 : 0].push_back(meeting.pairs.seen);
       EXPECT_EQ(2 * total(meeting.pairs), static_cast<statistics::Count>(meeting.matches()));

@@ -96,15 +96,15 @@ TEST(Tournament, ForfeitsFollowTheTeamAndNotTheSide) {
   a_away.failure->tick = 5;
   a_away.failure->robot = 1;
   for (const campaign::Decided* each : {&a_at_home, &a_away, &b_away}) course.take(each);
-  ASSERT_EQ(course.forfeits().size(), 2u);
-  EXPECT_EQ(course.forfeits()[0].team, 0u);
-  EXPECT_EQ(course.forfeits()[0].count, 2u);
-  EXPECT_EQ(course.forfeits()[0].first_match, 0u);
-  EXPECT_EQ(course.forfeits()[0].failure.tick, 417u);
-  EXPECT_EQ(course.forfeits()[1].team, 1u);
-  EXPECT_EQ(course.forfeits()[1].count, 1u);
-  EXPECT_EQ(course.forfeits()[1].first_match, 2u);
-  EXPECT_THAT(course.failures(), ElementsAre(2, 1));
+  ASSERT_EQ(course.forfeits().listed().size(), 2u);
+  EXPECT_EQ(course.forfeits().listed()[0].team, 0u);
+  EXPECT_EQ(course.forfeits().listed()[0].count, 2u);
+  EXPECT_EQ(course.forfeits().listed()[0].first_match, 0u);
+  EXPECT_EQ(course.forfeits().listed()[0].failure.tick, 417u);
+  EXPECT_EQ(course.forfeits().listed()[1].team, 1u);
+  EXPECT_EQ(course.forfeits().listed()[1].count, 1u);
+  EXPECT_EQ(course.forfeits().listed()[1].first_match, 2u);
+  EXPECT_THAT(course.forfeits().of_team(), ElementsAre(2, 1));
   const Meeting& meeting = course.meetings().front();
   EXPECT_EQ(meeting.goals, (std::array<std::uint64_t, 2>{10, 20}));
   EXPECT_EQ(meeting.pairs.seen, (PairCounts{1, 0, 0, 0, 0}));
@@ -119,8 +119,8 @@ TEST(Tournament, ForfeitsForOtherReasonsAreListedApart) {
   matches[2].failure->call = "score";
   matches[3] = failed(1, "greedy", "Aborted");
   for (const campaign::Decided& each : matches) course.take(&each);
-  ASSERT_EQ(course.forfeits().size(), 4u);
-  for (std::uint64_t i = 0; i < 4; ++i) EXPECT_EQ(course.forfeits()[i].first_match, i);
+  ASSERT_EQ(course.forfeits().listed().size(), 4u);
+  for (std::uint64_t i = 0; i < 4; ++i) EXPECT_EQ(course.forfeits().listed()[i].first_match, i);
 }
 
 TEST(Tournament, DoesNotGrowWithoutEnd) {
@@ -131,9 +131,9 @@ TEST(Tournament, DoesNotGrowWithoutEnd) {
     const campaign::Decided decided = failed(i % 2, "greedy", "reason " + std::to_string(i));
     course.take(&decided);
   }
-  EXPECT_EQ(course.forfeits().size(), 100u);
-  EXPECT_EQ(course.unlisted_forfeits(), 50u);
-  EXPECT_THAT(course.failures(), ElementsAre(150, 0));
+  EXPECT_EQ(course.forfeits().listed().size(), 100u);
+  EXPECT_EQ(course.forfeits().unlisted(), 50u);
+  EXPECT_THAT(course.forfeits().of_team(), ElementsAre(150, 0));
   const auto play = [&](int pairs) {
     for (int i = 0; i < pairs; ++i) {
       const std::string metrics = R"({"packets":[)" + std::to_string(i % 7) + "," + std::to_string(i % 5) + "]}";

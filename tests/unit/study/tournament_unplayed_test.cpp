@@ -141,15 +141,15 @@ TEST(UnplayedPairs, TheirForfeitsAreNoneAndTheirMatchesSayNothingOfARow) {
     return course.take(&second);
   };
   EXPECT_TRUE(pair(by_home, none));  // team 0, taken back
-  EXPECT_THAT(course.failures(), ElementsAre(0, 0));
-  EXPECT_THAT(course.forfeits(), testing::IsEmpty());
+  EXPECT_THAT(course.forfeits().of_team(), ElementsAre(0, 0));
+  EXPECT_THAT(course.forfeits().listed(), testing::IsEmpty());
   EXPECT_TRUE(pair(none, by_home));  // team 1
-  EXPECT_THAT(course.failures(), ElementsAre(0, 0));
+  EXPECT_THAT(course.forfeits().of_team(), ElementsAre(0, 0));
   EXPECT_TRUE(pair(other, by_away));  // team 0 twice
   EXPECT_TRUE(pair(other, none));     // taken back, the one before stays
-  EXPECT_THAT(course.failures(), ElementsAre(2, 0));
-  ASSERT_EQ(course.forfeits().size(), 2u);
-  EXPECT_EQ(course.forfeits()[0].count, 1u);
+  EXPECT_THAT(course.forfeits().of_team(), ElementsAre(2, 0));
+  ASSERT_EQ(course.forfeits().listed().size(), 2u);
+  EXPECT_EQ(course.forfeits().listed()[0].count, 1u);
   EXPECT_EQ(course.matches(), 2u);
 }
 

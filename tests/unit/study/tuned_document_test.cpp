@@ -119,7 +119,7 @@ class TunedDocuments : public testing::Test {
     std::string found;
     try {
       const config::Node document = config::load(file);
-      config::read_team(document);
+      config::read_document<config::Team>(document);
       found = config::show(document, plugins, config::Remarks::without);
     } catch (const config::Error& error) {
       FAIL() << error.what() << '\n' << text;
@@ -160,7 +160,8 @@ TEST_F(TunedDocuments, AContextsOwnValueIsOnlyTheContexts) {
   const auto found = std::ranges::find(all, "contexts.search.use.utility.terms.distance.weight", &Parameter::path);
   ASSERT_NE(found, all.end());
   const TuningPlan plan = plan_of(team, {}, {*found}, shipped_plugins());
-  const config::Team read = config::read_team(config::parse_text(TunedDocument(plan).with({0.125}), "t"));
+  const config::Team read =
+      config::read_document<config::Team>(config::parse_text(TunedDocument(plan).with({0.125}), "t"));
   for (const config::Context& context : read.contexts) {
     for (const config::UtilityTerm& term : context.terms) {
       if (term.name != "distance") continue;
