@@ -9,6 +9,8 @@
 #include "cluster/run.hpp"
 #include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
+#include "cluster/task.hpp"
+#include "config/typed.hpp"
 #include "output/output.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -131,6 +133,23 @@ void add_stop(Command& parent) {
   command.take("folder", options->folder, "FOLDER", "the study's folder", Writes::results);
   command.notes(stop_examples);
   command.run = [options] { return stop(*options); };
+}
+
+// Hidden: what a task of an array does.
+void add_cluster_task(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("cluster-task", "a slice of a study on a cluster");
+  command.hide();
+  const auto words = std::make_shared<std::vector<std::string>>();
+  command.take("words", *words, "FOLDER BATCH TASK", "the study's folder, the batch, and the place in its array");
+  command.run = [words, &invocation] {
+    if (words->size() != 3) throw BadInput("cluster-task: is for the program itself, which starts it for an array");
+    constexpr std::uint64_t most = 1'000'000'000;
+    cluster::play_task(
+        (*words)[0],
+        {config::parse_whole("batch", (*words)[1], 1, most), config::parse_whole("task", (*words)[2], 0, most)},
+        invocation);
+    return exit_done;
+  };
 }
 
 }  // namespace regista::cli

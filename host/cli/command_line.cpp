@@ -52,7 +52,7 @@ void require_working_folder() {
     throw BadInput("the working folder is no longer there, or may not be entered");
 }
 
-int run(const Invocation& invocation, const Addition* addition) {
+int run(const Invocation& invocation) {
   // First: workers are started in numbers, and would only become slower and larger by all the other commands.
   if (invocation.arguments.size() == 2) run_for_campaign(invocation.arguments[1], invocation);
   Command program("regista", "research on team strategy for robot soccer");
@@ -60,7 +60,6 @@ int run(const Invocation& invocation, const Addition* addition) {
                                      REGISTA_ABI_MINOR, REGISTA_BUILD));
   program.notes(command_line_examples);
   add_commands(program, invocation);
-  if (addition != nullptr) addition->command(program, invocation);
   const Command::Typed typed =
       program.read({invocation.arguments.begin() + 1, invocation.arguments.end()}, command::columns_of_output());
   if (typed.command == nullptr) {
@@ -104,12 +103,12 @@ void add_commands(Command& program, const Invocation& invocation) {
   add_config_check(config, invocation);
   add_config_show(config, invocation);
   add_config_schema(config, invocation);
-  add_config_reference(config);
+  add_config_reference(config, invocation);
   add_config_draw(config);
   add_config_copy(config, invocation);
 }
 
-int run(int argc, char** argv, const Addition* addition) {
+int run(int argc, char** argv, std::span<const results::StudyKind> studies) {
   output::occupy_standard_streams();
   // A reader who goes away is found when something is written, not by a signal.
   std::signal(SIGPIPE, SIG_IGN);
@@ -117,8 +116,8 @@ int run(int argc, char** argv, const Addition* addition) {
   std::signal(SIGCHLD, SIG_DFL);  // who started this may have ignored it; then nobody could say how a child ended
   try {
     Invocation invocation = invocation_of(argc, argv);
-    invocation.studies = addition == nullptr ? study_kinds() : addition->studies;
-    return run(invocation, addition);
+    invocation.studies = studies;
+    return run(invocation);
   } catch (...) {
     return explain_current_exception();
   }

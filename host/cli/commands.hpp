@@ -40,7 +40,7 @@ void add_config_check(Command& parent, const Invocation& invocation);
 void add_config_show(Command& parent, const Invocation& invocation);
 void add_config_copy(Command& parent, const Invocation& invocation);
 void add_config_draw(Command& parent);
-void add_config_reference(Command& parent);
+void add_config_reference(Command& parent, const Invocation& invocation);
 void add_config_schema(Command& parent, const Invocation& invocation);
 
 }  // namespace regista::cli

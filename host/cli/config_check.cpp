@@ -8,6 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
 #include "output/output.hpp"
+#include "results/study_kind.hpp"
 #include "study/document_check.hpp"
 #include "texts/json.hpp"
 
@@ -36,8 +37,8 @@ struct ConfigCheckOptions {
 
 study::Profiles profiles(const ConfigCheckOptions& options) {
   study::Profiles out;
-  if (!options.rules.empty()) out.rules = config::read_rules(options.rules);
-  if (!options.robot.empty()) out.robots.fill(config::read_robot(options.robot));
+  if (!options.rules.empty()) out.rules = config::read_document<config::Rules>(options.rules);
+  if (!options.robot.empty()) out.robots.fill(config::read_document<config::Robot>(options.robot));
   return out;
 }
 
@@ -70,10 +71,17 @@ int check(const ConfigCheckOptions& options, const Invocation& invocation) {
   if (options.files.empty()) throw BadInput("config check: expected at least one file");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   const study::Profiles by = profiles(options);
+  std::vector<study::StudyCheck> studies;
+  for (const results::StudyKind& kind : invocation.studies) {
+    studies.push_back({kind.document, [&](const config::Node& document, config::Mistakes& mistakes) {
+                         if (kind.check) return kind.check(document, options.plugins, catalogue, mistakes);
+                         mistakes.attempt("", [&] { kind.plan(document, options.plugins, catalogue); });
+                       }});
+  }
   bool sound = true;
   Json documents = Json::array();
   for (const std::string& file : options.files) {
-    const study::DocumentCheck checked = study::check_document(file, by, catalogue, options.plugins);
+    const study::DocumentCheck checked = study::check_document(file, by, catalogue, studies);
     sound = sound && checked.mistakes.empty();
     if (options.json) {
       documents.push_back(as_json(checked));

@@ -57,7 +57,7 @@ const config::RoleList& list_of(const config::TeamPage& page, const std::string&
 
 // The roles of a context, where it has them played.
 config::RoleList list_in(const config::Node& document, const std::string& name) {
-  const config::Team team = config::read_team(document);
+  const config::Team team = config::read_document<config::Team>(document);
   const auto context = std::ranges::find(team.contexts, name, &config::Context::name);
   if (context == team.contexts.end()) {
     std::vector<std::string> names;
@@ -109,7 +109,8 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   const config::Node document = config::load(options.files.front(), config::typed_overrides(options.overrides));
   config::require_kind(document, config::DocumentKind::team);
   const config::TeamPage page = config::read_team_page(document);
-  const config::Rules rules = options.rules.empty() ? config::Rules{} : config::read_rules(options.rules);
+  const config::Rules rules =
+      options.rules.empty() ? config::Rules{} : config::read_document<config::Rules>(options.rules);
   const config::RoleList list =
       options.context.empty() ? list_of(page, options.list) : list_in(document, options.context);
   const std::vector<const config::Role*> roles = roles_of(page, list, options.roles);

@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "cli/commands.hpp"
-#include "cli/document_kind.hpp"
 #include "cli/plugin_folders.hpp"
 #include "config/documents.hpp"
 #include "output/output.hpp"
 #include "plugin/declarations.hpp"
+#include "results/document_kinds.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -26,10 +27,10 @@ struct ConfigSchemaOptions {
 
 int schema(const ConfigSchemaOptions& options, const Invocation& invocation) {
   if (options.kinds.size() != 1) {
-    throw BadInput(fmt::format("config schema: expected one of {}, {} given", config::document_kind_names("and"),
-                               options.kinds.size()));
+    throw BadInput(fmt::format("config schema: expected one of {}, {} given",
+                               texts::join(results::kind_names(invocation)), options.kinds.size()));
   }
-  const config::DocumentKind kind = kind_named(options.kinds.front(), "config schema");
+  const config::DocumentKind kind = results::kind_named(options.kinds.front(), "config schema", invocation);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   output::print(config::schema(kind, plugin::declarations(catalogue.plugins())));
   return exit_done;
@@ -40,7 +41,7 @@ int schema(const ConfigSchemaOptions& options, const Invocation& invocation) {
 void add_config_schema(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("schema", "write the JSON Schema of a kind of document");
   const auto options = std::make_shared<ConfigSchemaOptions>();
-  command.choose("kind", options->kinds, kind_names(), config::document_kind_names("or"));
+  command.choose("kind", options->kinds, results::kind_names(invocation), texts::join(results::kind_names(invocation)));
   add_plugin_folders(command, options->plugins);
   command.notes(config_schema_examples);
   command.run = [options, &invocation] { return schema(*options, invocation); };

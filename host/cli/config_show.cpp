@@ -9,6 +9,7 @@
 #include "config/documents.hpp"
 #include "output/output.hpp"
 #include "plugin/declarations.hpp"
+#include "results/document_kinds.hpp"
 
 namespace regista::cli {
 namespace {
@@ -22,10 +23,10 @@ struct ConfigShowOptions {
 };
 
 // Plugins are opened for teams and studies only: nothing else names them.
-std::vector<config::PluginDeclaration> declarations_for(const config::Node& document, const ConfigShowOptions& options,
+std::vector<config::PluginDeclaration> declarations_for(const config::DocumentKind& kind,
+                                                        const ConfigShowOptions& options,
                                                         const Invocation& invocation) {
-  const config::DocumentKind kind = config::kind_of(document);
-  if (kind != config::DocumentKind::team && kind != config::DocumentKind::predictor_study) return {};
+  if (!(kind == config::DocumentKind::team || kind == config::DocumentKind::predictor_study)) return {};
   return plugin::declarations(open_plugins(options.plugins, invocation).plugins());
 }
 
@@ -34,7 +35,8 @@ int show(const ConfigShowOptions& options, const Invocation& invocation) {
     throw BadInput(fmt::format("config show: expected one file, {} given", options.files.size()));
   }
   const config::Node document = config::load(options.files.front(), config::typed_overrides(options.overrides));
-  output::print(config::show(document, declarations_for(document, options, invocation)));
+  const config::DocumentKind kind = results::kind_of(document, invocation);
+  output::print(config::show(document, kind, declarations_for(kind, options, invocation), config::Remarks::with));
   return exit_done;
 }
 

@@ -42,8 +42,8 @@ int evaluate(const EvaluatePredictorOptions& options, const Invocation& invocati
                     options.studies.size()));
   }
   if (options.data.empty()) throw BadInput("evaluate-predictor: which recording? Say --data FILE");
-  const config::PredictorStudy study =
-      config::read_predictor_study(options.studies.front(), config::typed_overrides(options.overrides));
+  const config::PredictorStudy study = config::read_document<config::PredictorStudy>(
+      options.studies.front(), config::typed_overrides(options.overrides));
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   const std::string again = process::shell_line(invocation.arguments);
   const command::Interruption interruption(

@@ -7,14 +7,9 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/plugin_folders.hpp"
 #include "cli/study_commands.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
-#include "report/experiment_report.hpp"
-#include "results/results_file.hpp"
-#include "results/study_run.hpp"
-#include "study/experiment_setup.hpp"
 
 namespace regista::cli {
 namespace {
@@ -37,49 +32,41 @@ it, too. At its end there are, beside the results NAME.db, the page NAME.html an
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
 
-}  // namespace
+struct ExperimentOptions : StudyOptions {
+  std::string csv, summary;  // files; empty: none
+  bool force = false;        // they may replace files of another kind
+};
 
-int experiment(ExperimentOptions options, output::OutputFiles outputs, const Invocation& invocation) {
-  campaign::check(options);
+int experiment(const ExperimentOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
   if (options.force && options.csv.empty() && options.summary.empty()) {
     throw BadInput("--force: belongs to --csv and --summary, which are not given");
   }
   if (options.file.empty()) throw BadInput("experiment: which one? Name its file; see: regista experiment --help");
-  const config::Node document = config::requested(options.asked(), config::DocumentKind::experiment);
-  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::ExperimentPlan plan = study::planned_experiment(document, options.plugins, catalogue);
-  plan.program = REGISTA_VERSION;
-  tell_what_is_not_used(catalogue, options.plugins);
-  options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = plan.asked.name + ".db";
-  outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results,
-                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
-  outputs.check(options.force);
-  auto report = report::experiment_report(std::move(plan), results::play_again(invocation));
-  campaign::Store store = results::open_results(options.results, options.resume, report->study(),
-                                                {outputs.documents(), {}}, invocation.studies);
-  if (options.resume)
-    report = results::stored_study(options.results, store, results::play_again(invocation), invocation.studies);
   std::optional<output::OutputFile> csv;
-  results::StudyWishes wishes;
-  if (!options.csv.empty()) {
-    csv.emplace(options.csv);
-    csv->write(report->begin_table({.all_metrics = true}));
-    wishes.after = [&](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
-      csv->write(report->table_lines(round, index, *decided));
+  const auto tables = [&](report::StudyReport& report, output::OutputFiles& all) {
+    results::StudyWishes wishes;
+    if (!options.csv.empty()) {
+      csv.emplace(options.csv);
+      csv->write(report.begin_table({.all_metrics = true}));
+      wishes.after = [&csv, &report](const study::Round& round, std::uint64_t index, const campaign::Decided* decided) {
+        csv->write(report.table_lines(round, index, *decided));
+      };
+    }
+    wishes.at_end = [&options, &csv, &report, &all] {
+      if (csv) csv->close();
+      if (options.summary.empty()) return;
+      all.check(options.force);  // hours later, perhaps
+      output::OutputFile summary(options.summary);
+      summary.write(report.summary_table());
+      summary.close();
     };
-  }
-  wishes.at_end = [&] {
-    if (csv) csv->close();
-    if (options.summary.empty()) return;
-    outputs.check(options.force);  // hours later, perhaps
-    output::OutputFile summary(options.summary);
-    summary.write(report->summary_table());
-    summary.close();
+    return wishes;
   };
-  return results::play_study(*report, options, invocation, store, wishes);
+  return play(study_kind(config::DocumentKind::experiment), options, std::move(outputs), invocation, tables,
+              options.force);
 }
+
+}  // namespace
 
 void add_experiment(Command& parent, const Invocation& invocation) {
   static constexpr std::array own{

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The program `regista`.
 #include "cli/command_line.hpp"
+#include "cli/study_commands.hpp"
 
-int main(int argc, char** argv) { return regista::cli::run(argc, argv); }
+int main(int argc, char** argv) { return regista::cli::run(argc, argv, regista::cli::study_kinds()); }

@@ -10,20 +10,16 @@
 
 #include "campaign/blame.hpp"
 #include "campaign/engine.hpp"
-#include "campaign/inputs.hpp"
 #include "campaign/job_setup.hpp"
-#include "campaign/mathematics.hpp"
 #include "campaign/supervised.hpp"
 #include "cli/commands.hpp"
-#include "cli/match_options.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/prepared_match.hpp"
-#include "cli/replayed_match.hpp"
 #include "config/typed.hpp"
 #include "output/output_files.hpp"
 #include "plugin/failure.hpp"
 #include "plugin/plugin_file.hpp"
 #include "report/what_was_played.hpp"
+#include "results/played_match.hpp"
 #include "results/stored_match.hpp"
 #include "texts/message.hpp"
 
@@ -53,14 +49,15 @@ Regista; 130 interrupted.)";
 const std::vector<std::string> log_levels{"debug", "info", "warning", "error", "none"};
 
 // Nothing when none is to be played again.
-std::optional<results::StoredMatch> stored_match_of(const MatchOptions& options, const Invocation& invocation) {
+std::optional<results::StoredMatch> stored_match_of(const results::MatchOptions& options,
+                                                    const Invocation& invocation) {
   if (options.from.empty()) {
     if (!options.row.empty())
       throw BadInput(fmt::format("--row {}: belongs to --from, which is not given", options.row));
     return std::nullopt;
   }
   if (options.row.empty()) throw BadInput("--from: which match? Say --row N; `regista report --csv` lists them");
-  const MatchOptions unset;
+  const results::MatchOptions unset;
   const bool more = !options.teams.empty() || !options.rules.empty() || !options.robot.empty() ||
                     !options.disturbance.empty() || !options.home_disturbance.empty() ||
                     !options.away_disturbance.empty() || !options.set.empty() || !options.opening.empty() ||
@@ -71,7 +68,7 @@ std::optional<results::StoredMatch> stored_match_of(const MatchOptions& options,
 
 // outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
 // before.
-void check_what_is_written(output::OutputFiles outputs, const MatchOptions& options,
+void check_what_is_written(output::OutputFiles outputs, const results::MatchOptions& options,
                            const campaign::MatchRequest& played, const plugin::Catalogue& catalogue) {
   std::vector<std::string> documents = played.teams;
   documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
@@ -94,7 +91,7 @@ std::string failure_text(const campaign::Job& job, const campaign::Failure& fail
 
 constexpr auto not_alone = "played with each team in a process of its own it did not, so no team is to blame";
 
-campaign::Limits limits_of(const MatchOptions& options) {
+campaign::Limits limits_of(const results::MatchOptions& options) {
   campaign::Limits out;
   out.processor_seconds =
       static_cast<int>(config::parse_whole("--processor-seconds", options.processor_seconds, 1, 1'000'000));
@@ -121,37 +118,6 @@ void blame(campaign::Job job, campaign::Limits limits, const campaign::Loss& los
   }
 }
 
-report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::MatchSetup& prepared,
-                                     const plugin::Catalogue& catalogue) {
-  const campaign::FoundInputs inputs =
-      campaign::inputs_of(prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
-  config::MatchSettings settings;
-  // A name without a file means the built-in profile.
-  const auto file_of = [](const std::string& name) { return std::filesystem::exists(name) ? name : std::string(); };
-  settings.rules = file_of(job.rules);
-  settings.robot = file_of(job.robot);
-  settings.limit = prepared.setup.limit;
-  // The opening is among the inputs that both teams have.
-  std::vector<campaign::Input> openings;
-  if (prepared.setup.opening) openings.push_back(campaign::opening_input(*prepared.setup.opening));
-  report::WhatWasPlayed out = report::what_was_played(settings, inputs.common, openings);
-  out.inputs = inputs.common;
-  for (const std::size_t side : {0u, 1u}) {
-    const std::string& own = side == 0 ? job.home_disturbance : job.away_disturbance;
-    out.teams.push_back(
-        report::played_team(prepared.plans[side]->team().name, job.teams[side], side == 0 ? inputs.home : inputs.away,
-                            report::profile_of(inputs.common, side == 0 ? "home disturbance" : "away disturbance",
-                                               file_of(own.empty() ? job.disturbance : own))));
-  }
-  out.set = job.overrides;
-  out.amount = fmt::format("seed {}", job.seed);
-  out.limits.clear();
-  out.program = REGISTA_VERSION;
-  out.folder = std::filesystem::current_path().string();
-  out.plugins = job.plugins;
-  return out;
-}
-
 // The shared objects of the teams' plugins, to tell whether they are still the same.
 using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
 
@@ -166,8 +132,8 @@ Files files_of(const campaign::MatchSetup& prepared) {
 }
 
 // A plugin ended the process.
-int explain_loss(const MatchOptions& options, campaign::Job job, const campaign::Limits& limits, const Files& files,
-                 const campaign::Loss& loss) {
+int explain_loss(const results::MatchOptions& options, campaign::Job job, const campaign::Limits& limits,
+                 const Files& files, const campaign::Loss& loss) {
   for (const std::string& written : {options.record, options.decisions}) {
     std::error_code none;
     if (!written.empty() && std::filesystem::exists(written, none))
@@ -189,7 +155,7 @@ int explain_loss(const MatchOptions& options, campaign::Job job, const campaign:
   throw BadInput(fmt::format("the match died: {}; {}", died, not_alone));
 }
 
-int play(MatchOptions options, const output::OutputFiles& outputs, const Invocation& invocation) {
+int play(results::MatchOptions options, const output::OutputFiles& outputs, const Invocation& invocation) {
   // Before stored_match() goes elsewhere.
   for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
@@ -231,19 +197,20 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
       throw BadInput(fmt::format("--metrics: row {} {}, so it has none", options.row,
                                  stored->decided.failure ? "was forfeited" : "could not be played"));
     }
-    return play_failed(options, *stored, std::move(job));
+    return results::play_failed(options, *stored, std::move(job));
   }
   job.plugin_files = catalogue.used_files();
   const Files files = files_of(prepared);
-  const report::WhatWasPlayed what = what_is_played(job, prepared, catalogue);
+  const report::WhatWasPlayed what = results::what_is_played(job, prepared, catalogue);
   if (failed && !options.quiet) {
     complain(texts::one_line(fmt::format("row {} {}; it is played in this process now, without limits", options.row,
-                                         end_in_words(stored->decided))));
+                                         results::end_in_words(stored->decided))));
   }
   const auto work = [&](campaign::WorkerNote& note) {
     // A match that failed has no hash to be compared with.
     const std::optional<results::StoredMatch> none;
-    return play_prepared(options, invocation.arguments, failed ? none : stored, what, std::move(prepared), note);
+    return results::play_prepared(options, invocation.arguments, failed ? none : stored, what, std::move(prepared),
+                                  note);
   };
   if (options.in_process) {
     campaign::WorkerNote note;
@@ -286,7 +253,7 @@ int play(MatchOptions options, const output::OutputFiles& outputs, const Invocat
 
 void add_match(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("match", "play one match between two teams");
-  const auto options = std::make_shared<MatchOptions>();
+  const auto options = std::make_shared<results::MatchOptions>();
   command.take("teams", options->teams, "A.yaml B.yaml", "the teams' files: home, then away", Reads::documents);
   command.take("--seed", options->seed, "N", "all chance of the match comes from it; default 1");
   command.take("--rules", options->rules, "FILE", "rules profile; default: spl2023, built in", Reads::documents);

@@ -15,10 +15,8 @@
 
 #include "cli/commands.hpp"
 #include "cli/plugin_folders.hpp"
-#include "cli/plugin_name.hpp"
-#include "cli/plugin_template.hpp"
 #include "config/flow.hpp"
-#include "output/new_folder.hpp"
+#include "output/new_plugin.hpp"
 #include "output/output.hpp"
 #include "plugin/descriptor.hpp"
 #include "texts/message.hpp"
@@ -101,7 +99,7 @@ int make(const PluginNewOptions& options, const Invocation& invocation) {
   if (options.kind.empty()) throw BadInput("plugin new: which kind? There are: " + texts::join(kinds));
   refuse_unknown("kind", options.kind, kinds);
   refuse_unknown("language", options.language, languages);
-  if (const std::string wrong = wrong_with_new_name(options.name); !wrong.empty())
+  if (const std::string wrong = output::wrong_with_new_name(options.name); !wrong.empty())
     throw BadInput("plugin new: " + wrong);
   refuse_name_in_use(options.name, invocation);
 
@@ -120,14 +118,14 @@ int make(const PluginNewOptions& options, const Invocation& invocation) {
       "regista match team.yaml {} --plugins build",
       sdk.commands, in_shell(paper.string()));
   const std::vector<output::NewFile> files =
-      files_from_template(templates, options.kind, options.language,
-                          {{"NAME", options.name},
-                           {"KIND", options.kind},
-                           {"PLUGIN", config::flow_text(options.name, false)},
-                           {"PAPER", config::flow_text(paper.string(), true)},
-                           {"HINTS", sdk.hints},
-                           {"INTERFACE", fmt::format("{}.{}", REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR)},
-                           {"COMMANDS", commands}});
+      output::files_from_template(templates, options.kind, options.language,
+                                  {{"NAME", options.name},
+                                   {"KIND", options.kind},
+                                   {"PLUGIN", config::flow_text(options.name, false)},
+                                   {"PAPER", config::flow_text(paper.string(), true)},
+                                   {"HINTS", sdk.hints},
+                                   {"INTERFACE", fmt::format("{}.{}", REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR)},
+                                   {"COMMANDS", commands}});
   const fs::path folder = fs::path(options.folder) / options.name;
   output::write_new_folder(folder, files);
 

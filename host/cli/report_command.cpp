@@ -108,7 +108,9 @@ int print_report(const ReportOptions& options, const campaign::Store& store, con
     if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
       complain(fmt::format("{} holds {}", options.file, incomplete));
     }
-    output::print(options.csv ? csv + report->end_table() : options.json ? report->json() : report->text());
+    output::print(options.csv    ? csv + report->end_table()
+                  : options.json ? outline_json(report->outline())
+                                 : outline_text(report->outline()));
   } catch (const campaign::StoreError& error) {
     throw BadInput(error.what());
   }
@@ -145,7 +147,8 @@ int run(ReportOptions options, const output::OutputFiles& outputs, const Invocat
   if (match != 0) return tell_standard_error(options.file, store, match);
   if (!options.study.empty()) {
     const auto report = results::stored_study(options.file, store, {}, invocation.studies);
-    for (const std::string& each : results::write_study(report->played(), store.documents(), options.study))
+    for (const std::string& each :
+         results::write_study(report->played(), store.documents(), invocation.studies, options.study))
       complain(each);
     return exit_done;
   }

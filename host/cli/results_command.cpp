@@ -68,9 +68,10 @@ Found look_at(const fs::path& path, const Invocation& invocation) {
     out.study = results::kind_of(out.file, plan, invocation.studies).name;
     const auto report = results::stored_study(out.file, store, {}, invocation.studies);
     study::read_back(report->study(), store, report->study().metrics());
-    out.title = report->title();
-    out.question = report->question();
-    out.headline = report->headline();
+    const report::Outline outline = report->outline();
+    out.title = outline.title;
+    out.question = outline.question;
+    out.headline = plain(outline.headline);
     const std::string incomplete = report->incomplete();
     out.state = incomplete.empty() ? "finished" : incomplete;
     out.teams = report->teams();

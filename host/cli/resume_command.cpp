@@ -121,7 +121,7 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
 
   const std::string plan = results::stored_plan(results::read_results(options.results));
   const results::StudyKind& kind = results::kind_of(file, plan, invocation.studies);
-  if (kind.go_on) return kind.go_on(plan, options, outputs, invocation);
+  if (kind.play) return kind.play(plan, options, outputs, invocation);
   const auto report = results::stored_study(file, results::read_results(options.results),
                                             results::play_again(invocation), invocation.studies);
   campaign::Store store = results::open_results(options.results, true, report->study(), {}, invocation.studies);

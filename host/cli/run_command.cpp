@@ -32,33 +32,22 @@ struct RunOptions : StudyOptions {
   cluster::Options on_cluster;
 };
 
-template <class Options>
-Options of_study(const RunOptions& options) {
-  Options out;
-  static_cast<StudyOptions&>(out) = options;
-  return out;
-}
-
 int play_here(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {
   if (options.file.empty()) throw BadInput("run: which study? Name its document; see: regista run --help");
-  using enum config::DocumentKind;
-  const config::DocumentKind kind = config::kind_of(config::load(options.file));
-  switch (kind) {
-    case tournament:
-      return cli::tournament(of_study<StudyOptions>(options), outputs, invocation);
-    case experiment:
-      return cli::experiment(of_study<ExperimentOptions>(options), outputs, invocation);
-    case tuning:
-      return cli::tune(of_study<TuneOptions>(options), outputs, invocation);
-    case predictor_study:
-      throw BadInput(fmt::format(
-          "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
-          texts::one_line(options.file)));
-    default:
-      throw BadInput(
-          fmt::format("run: {} is no study but of the kind {}; studies are tournament, experiment and tuning",
-                      texts::one_line(options.file), config::name_of(kind)));
+  const config::Node document = config::load(options.file);
+  for (const results::StudyKind& each : invocation.studies) {
+    if (document[each.document.name]) return play(each, options, outputs, invocation);
   }
+  const config::DocumentKind kind = config::kind_of(document);
+  if (kind == config::DocumentKind::predictor_study) {
+    throw BadInput(fmt::format(
+        "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
+        texts::one_line(options.file)));
+  }
+  std::vector<std::string> names;
+  for (const results::StudyKind& each : invocation.studies) names.emplace_back(each.document.name);
+  throw BadInput(fmt::format("run: {} is no study but of the kind {}; studies are {}", texts::one_line(options.file),
+                             kind.name, texts::join(names)));
 }
 
 int play(const RunOptions& options, const output::OutputFiles& outputs, const Invocation& invocation) {

@@ -114,8 +114,9 @@ config::Node list_of(const DocumentOption& option, const std::vector<std::string
 
 }  // namespace
 
-void DocumentValues::declare(Command& command, config::DocumentKind kind, std::span<const DocumentOption> options) {
-  config::with_declaration(kind, [&](const config::Map& declared) {
+void DocumentValues::declare(Command& command, const config::DocumentKind& kind,
+                             std::span<const DocumentOption> options) {
+  kind.with_defaults([&](const config::Map& declared) {
     for (const DocumentOption& each : options) {
       Given& given = given_.emplace_back(Given{each, {}, {}});
       with_field(declared, each.path, [&](const config::Field& field) {
@@ -133,7 +134,7 @@ void DocumentValues::declare(Command& command, config::DocumentKind kind, std::s
   });
 }
 
-void DocumentValues::declare_common(Command& command, config::DocumentKind kind) {
+void DocumentValues::declare_common(Command& command, const config::DocumentKind& kind) {
   declare(command, kind, common);
   command.flag("--play-once", play_once_,
                "do not play the first match of each pairing a second time, in which it is seen whether it is "

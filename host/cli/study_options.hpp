@@ -31,9 +31,9 @@ struct DocumentOption {
 class DocumentValues {
  public:
   // Of a document of this kind; help, range and unit are those of its declaration. Outlives the command's reading.
-  void declare(Command& command, config::DocumentKind kind, std::span<const DocumentOption> options);
+  void declare(Command& command, const config::DocumentKind& kind, std::span<const DocumentOption> options);
   // Those that every study's document has.
-  void declare_common(Command& command, config::DocumentKind kind);
+  void declare_common(Command& command, const config::DocumentKind& kind);
   config::Overrides overrides() const;
 
  private:

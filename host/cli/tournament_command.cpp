@@ -6,13 +6,8 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/plugin_folders.hpp"
 #include "cli/study_commands.hpp"
 #include "output/output_files.hpp"
-#include "report/tournament_report.hpp"
-#include "results/results_file.hpp"
-#include "results/study_run.hpp"
-#include "study/tournament_setup.hpp"
 
 namespace regista::cli {
 namespace {
@@ -38,35 +33,16 @@ forfeits its match 0:10. That keeps accidents apart; it is no protection from ma
 Exit codes: 0 played, whatever the verdict; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
 
-}  // namespace
-
-int tournament(StudyOptions options, output::OutputFiles outputs, const Invocation& invocation) {
-  campaign::check(options);
+int tournament(const StudyOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
   const config::StudyRequest asked = options.asked();
   if (asked.file.empty() && asked.options.empty()) {
     throw BadInput(
         "tournament: expected a document, or two teams or more, each by --team FILE; see: regista tournament --help");
   }
-  const config::Node document = config::requested(asked, config::DocumentKind::tournament);
-  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::PlannedTournament planned = study::planned_tournament(document, options.plugins, catalogue);
-  planned.plan.program = REGISTA_VERSION;
-  tell_what_is_not_used(catalogue, options.plugins);
-  options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = planned.plan.asked.name + ".db";
-  outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results,
-                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::alone);
-  outputs.check(false);
-  auto report = report::tournament_report(std::move(planned.plan), results::play_again(invocation));
-  campaign::Store store = results::open_results(options.results, options.resume, report->study(),
-                                                {outputs.documents(), planned.documents}, invocation.studies);
-  if (options.resume)
-    report = results::stored_study(options.results, store, results::play_again(invocation), invocation.studies);
-  results::StudyWishes wishes;
-  wishes.figures = false;
-  return results::play_study(*report, options, invocation, store, wishes);
+  return play(study_kind(config::DocumentKind::tournament), options, std::move(outputs), invocation);
 }
+
+}  // namespace
 
 void add_tournament(Command& parent, const Invocation& invocation) {
   using enum DocumentOption::Form;

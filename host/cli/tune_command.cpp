@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "cli/commands.hpp"
-#include "cli/plugin_folders.hpp"
 #include "cli/study_commands.hpp"
 #include "output/output.hpp"
 #include "output/output_files.hpp"
@@ -22,7 +21,6 @@
 #include "results/study_run.hpp"
 #include "study/recording_place.hpp"
 #include "study/tuning/search_time.hpp"
-#include "study/tuning/tuning_setup.hpp"
 
 namespace regista::cli {
 namespace {
@@ -63,15 +61,15 @@ int play(report::StudyReport& report, const TuneOptions& options, const Invocati
 
 }  // namespace
 
-int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::OutputFiles outputs,
-                 const Invocation& invocation) {
+int play_tuning(const std::string& plan, const TuneOptions& options, output::OutputFiles outputs,
+                const Invocation& invocation) {
   const std::filesystem::path tuned =
       options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
   outputs.write("the tuned team", tuned, Writes::tuned_team);
   outputs.check(options.force);
   study::OutOfTime clock;  // known once there is a file of results
   const auto out_of_time = [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); };
-  auto report = std::make_unique<report::TuningReport>(std::move(plan), out_of_time);
+  auto report = std::make_unique<report::TuningReport>(study::tuning_plan_from_json(plan), out_of_time);
   campaign::Store store = results::open_results(options.results, options.resume, report->study(),
                                                 {outputs.documents(), {}}, invocation.studies);
   if (options.resume) {
@@ -103,20 +101,10 @@ int tune_by_plan(study::TuningPlan plan, const TuneOptions& options, output::Out
   return exit;
 }
 
-int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation) {
-  campaign::check(options);
+static int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
-  const config::Node document = config::requested(options.asked(), config::DocumentKind::tuning);
-  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  study::TuningPlan plan = study::planned_tuning(document, options.plugins, catalogue);
-  plan.program = REGISTA_VERSION;
-  tell_what_is_not_used(catalogue, options.plugins);
-  options.plugin_files = catalogue.used_files();
-  if (options.results.empty()) options.results = plan.asked.name + ".db";
-  outputs.read(folders_of(catalogue), Reads::plugins);
-  outputs.write_beside(options.results,
-                       options.no_page ? output::OutputFiles::Page::none : output::OutputFiles::Page::with_figures);
-  return tune_by_plan(std::move(plan), options, std::move(outputs), invocation);
+  const results::PlannedStudy study = planned(study_kind(config::DocumentKind::tuning), options, outputs, invocation);
+  return play_tuning(study.plan, options, std::move(outputs), invocation);
 }
 
 void add_tune(Command& parent, const Invocation& invocation) {

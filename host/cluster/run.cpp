@@ -121,7 +121,7 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   output::OutputFiles outputs({}, "study");
   outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
   if (!options.quiet) command::say(fmt::format("results: {}\n", texts::one_line(own.results)));
-  if (kind.go_on) return kind.go_on(plan, own, outputs, invocation);
+  if (kind.play) return kind.play(plan, own, outputs, invocation);
   campaign::Store store = results::open_results(own.results, true, report->study(), {}, invocation.studies);
   results::StudyWishes wishes;
   wishes.figures = kind.figures;

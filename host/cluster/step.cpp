@@ -229,9 +229,10 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
   folder.write(progress);  // whatever is met below
   const auto report = results::stored_study(folder.results().string(), results, {}, invocation.studies);
   const Missing missing = missing_of(report->study(), results, settings.tasks * settings.matches);
-  progress.title = report->title();
+  const report::Outline outline = report->outline();
+  progress.title = outline.title;
   progress.matches = report->study().most_matches();
-  progress.finding = report->study().counted() > 0 ? report->headline() : "";
+  progress.finding = report->study().counted() > 0 ? plain(outline.headline) : "";
   progress.rows = static_cast<std::uint64_t>(results.rows());
   folder.write(progress);  // whatever Slurm says below
   if (missing.complete()) {

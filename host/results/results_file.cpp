@@ -196,10 +196,11 @@ ResultsTogether::ResultsTogether(const std::vector<std::string>& files, std::spa
 
 std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const campaign::Store& store,
                                                   report::CommandOf again, std::span<const StudyKind> kinds) {
+  if (!again) again = [](const campaign::Job&) { return std::string(); };
   return opening([&] {
     const std::string plan = store.meta(schedule);
     try {
-      return kind_of(file, plan, kinds).report(plan, store, std::move(again));
+      return kind_of(file, plan, kinds).report(plan, &store, std::move(again));
     } catch (const std::invalid_argument& error) {
       throw command::BadInput(fmt::format("{}: {}", file, error.what()));
     }

@@ -10,7 +10,7 @@
 #include "command/end_of_program.hpp"
 #include "output/output.hpp"
 #include "process/program.hpp"
-#include "report/page_parts.hpp"
+#include "report/outline.hpp"
 #include "results/results_file.hpp"
 #include "study/recording_place.hpp"
 
@@ -46,15 +46,12 @@ void write_page(const StoredResults& results, const PageWishes& wishes) {
     if (const std::string incomplete = report->incomplete(); !incomplete.empty()) {
       command::complain(fmt::format("{} holds {}", results.file.string(), incomplete));
     }
-    report::PageFrame frame;
-    frame.figures = report->figures();
-    output::write_figures(frame.figures, wishes.figures);
+    const std::vector<report::Figure> figures = report->figures();
+    output::write_figures(figures, wishes.figures);
     if (!wishes.page) return;
-    frame.results = results.file;
-    frame.page = *wishes.page;
-    frame.program = results.store.meta("program");
-    frame.documents = stored_documents(results.store);
-    output::write_whole(*wishes.page, report->page(std::move(frame)), wishes.figures.existing);
+    const report::Outline outline = report->page_outline({results.file, *wishes.page, stored_documents(results.store)});
+    output::write_whole(*wishes.page, outline_page(outline, results.file.filename().string(), figures),
+                        wishes.figures.existing);
   } catch (const campaign::StoreError& error) {
     throw command::BadInput(error.what());
   } catch (const std::system_error& error) {

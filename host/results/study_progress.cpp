@@ -130,7 +130,7 @@ void StudyProgress::finish() {
 }
 
 void StudyProgress::stopped() {
-  if (wanted_ && taken_ > 0) command::say(report_.text());
+  if (wanted_ && taken_ > 0) command::say(outline_text(report_.outline()));
 }
 
 }  // namespace regista::results

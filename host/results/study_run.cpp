@@ -178,7 +178,7 @@ int play_study(report::StudyReport& report, const campaign::Options& options, co
     play(report.study(), options, invocation, store, progress, wishes.after);
   }
   if (wishes.at_end) wishes.at_end();
-  output::print(options.json ? report.json() : report.text());
+  output::print(options.json ? outline_json(report.outline()) : outline_text(report.outline()));
   if (options.no_page) return command::exit_done;
   const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
   if (page && !options.quiet) command::say(fmt::format("page: {}\n", texts::one_line(page->string())));

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <map>
-#include <type_traits>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "command/end_of_program.hpp"
@@ -23,11 +24,16 @@ namespace fs = std::filesystem;
 
 constexpr auto study_file = "study.yaml";
 
-bool is_study(const std::string& content) {
+// The kind of study that a document asks for; null: it is none.
+const StudyKind* kind_of(const config::Node& document, std::span<const StudyKind> kinds) {
+  const auto found =
+      std::ranges::find_if(kinds, [&](const StudyKind& each) { return bool(document[each.document.name]); });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+bool is_study(const std::string& content, std::span<const StudyKind> kinds) {
   try {
-    const config::DocumentKind kind = config::kind_of(config::parse_text(content, "a document"));
-    return kind == config::DocumentKind::tournament || kind == config::DocumentKind::experiment ||
-           kind == config::DocumentKind::tuning;
+    return kind_of(config::parse_text(content, "a document"), kinds) != nullptr;
   } catch (const config::Error&) {
     return false;  // data of a plugin
   }
@@ -47,13 +53,15 @@ fs::path folder_of(const std::vector<fs::path>& files) {
 
 class Laying {
  public:
-  Laying(const report::WhatWasPlayed& played, const std::vector<campaign::Document>& documents) : played_(played) {
+  Laying(const report::WhatWasPlayed& played, const std::vector<campaign::Document>& documents,
+         std::span<const StudyKind> kinds)
+      : played_(played), kinds_(kinds) {
     std::vector<fs::path> files;
     for (const campaign::Document& each : documents) {
       // A file of results may come from anybody: nothing may be written but below the folder.
       const fs::path path = each.path;
       const bool plain = path.is_absolute() && path.has_filename() && path == path.lexically_normal();
-      if (!plain || !each.content || is_study(*each.content)) continue;
+      if (!plain || !each.content || is_study(*each.content, kinds)) continue;
       contents_.emplace(each.path, &*each.content);
       files.emplace_back(each.path);
     }
@@ -83,33 +91,44 @@ class Laying {
 
  private:
   std::string study() {
-    const config::Node document = config::parse_text(played_.document, study_file);
-    switch (config::kind_of(document)) {
-      case config::DocumentKind::tournament:
-        return named_from_here(config::read_tournament, document);
-      case config::DocumentKind::experiment:
-        return named_from_here(config::read_experiment, document);
-      default:
-        return named_from_here(config::read_tuning, document);
-    }
+    const config::Node document = with_own_names(config::parse_text(played_.document, study_file));
+    config::Mistakes first(config::Mistakes::After::stop, config::Mistakes::Files::as_they_stand);
+    std::string out;
+    kind_of(document, kinds_)->document.with_values(document, first, [&](const config::Map& declared) {
+      config::rename_files(declared, [this](const std::string& name) { return renamed(name); });
+      out = config::document_text(declared);
+    });
+    return out;
   }
 
-  template <class Study>
-  std::string named_from_here(Study (*read)(const config::Node&, config::Mistakes&), const config::Node& document) {
-    config::Mistakes first(config::Mistakes::After::stop, config::Mistakes::Files::as_they_stand);
-    Study study = read(document, first);
-    config::rename_files(declare(study), [this](const std::string& name) { return renamed(name); });
-    study.settings.set = with_names(study.settings.set);
-    if constexpr (std::is_same_v<Study, config::Experiment>) {
-      for (config::Experiment::Arm& each : study.arms) each.set = with_names(each.set);
-      if (study.sweep) {
-        for (config::Node& each : study.sweep->values) each = with_names(each);
-      }
+  // Values of the documents of matches, and those of a sweep, may name files, too; and what it was played with is what
+  // it is compared with when it is played again.
+  config::Node with_own_names(const config::Node& document) const {
+    std::vector<config::Node::Entry> out;
+    for (const config::Node::Entry& each : document.entries()) {
+      if (each.key == "played_with") continue;
+      out.push_back({each.key, each.key_where, with_names_below(each.key, each.value)});
     }
-    study.settings.played_with.clear();
-    for (const std::string& each : report::played_with(played_))
-      study.settings.played_with.push_back(config::Node::scalar(each, true, {}));
-    return config::document_text(std::move(study));
+    std::vector<config::Node> lines;
+    for (const std::string& each : report::played_with(played_)) lines.push_back(config::Node::scalar(each, true, {}));
+    out.push_back({"played_with", {}, config::Node::sequence(std::move(lines), {})});
+    return config::Node::map(std::move(out), document.where());
+  }
+
+  config::Node with_names_below(std::string_view key, const config::Node& node) const {
+    if (key == "set" || key == "values") return with_names(node);
+    if (node.kind() == config::Node::Kind::map) {
+      std::vector<config::Node::Entry> out;
+      for (const config::Node::Entry& each : node.entries())
+        out.push_back({each.key, each.key_where, with_names_below(each.key, each.value)});
+      return config::Node::map(std::move(out), node.where());
+    }
+    if (node.kind() == config::Node::Kind::sequence) {
+      std::vector<config::Node> out;
+      for (const config::Node& each : node.elements()) out.push_back(with_names_below("", each));
+      return config::Node::sequence(std::move(out), node.where());
+    }
+    return node;
   }
 
   fs::path absolute(const std::string& name) const { return (fs::path(played_.folder) / name).lexically_normal(); }
@@ -152,6 +171,7 @@ class Laying {
   }
 
   const report::WhatWasPlayed& played_;
+  std::span<const StudyKind> kinds_;
   std::map<std::string, const std::string*> contents_;  // by path
   fs::path root_;
 };
@@ -159,8 +179,9 @@ class Laying {
 }  // namespace
 
 std::vector<std::string> write_study(const report::WhatWasPlayed& played,
-                                     const std::vector<campaign::Document>& documents, const fs::path& folder) {
-  Laying laying(played, documents);
+                                     const std::vector<campaign::Document>& documents, std::span<const StudyKind> kinds,
+                                     const fs::path& folder) {
+  Laying laying(played, documents, kinds);
   output::write_new_folder(folder.has_filename() ? folder : folder.parent_path(), laying.files());
   return laying.left_out;
 }

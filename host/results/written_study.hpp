@@ -4,18 +4,20 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/stored_documents.hpp"
 #include "report/what_was_played.hpp"
+#include "results/study_kind.hpp"
 
 namespace regista::results {
 
-// documents: that the study was begun with. folder: is made, and must not be there. Returns what does not come along,
-// a line each. Throws BadInput and output::WriteError.
+// documents: that the study was begun with; kinds: the studies that there are. folder: is made, and must not be there.
+// Returns what does not come along, a line each. Throws BadInput and output::WriteError.
 std::vector<std::string> write_study(const report::WhatWasPlayed& played,
-                                     const std::vector<campaign::Document>& documents,
+                                     const std::vector<campaign::Document>& documents, std::span<const StudyKind> kinds,
                                      const std::filesystem::path& folder);
 
 }  // namespace regista::results

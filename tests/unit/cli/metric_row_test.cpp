@@ -11,7 +11,7 @@
 #include "campaign/metric_bytes.hpp"
 #include "report/match_summary.hpp"
 #include "report/metric_reference.hpp"
-#include "report/tournament_page.hpp"
+#include "report/tournament_outline.hpp"
 #include "texts/json.hpp"
 
 namespace regista::cli {
@@ -91,10 +91,10 @@ TEST_F(MetricRow, StandsOnThePageOfATournament) {
     record.take(&decided);
   }
   const report::TournamentView view{plan, course, [](std::uint64_t) { return std::string("again"); }};
-  const std::string page =
-      report::tournament_page({view, record, {}, {}, report::what_was_played(plan), {}, {}, {}, table});
-  EXPECT_THAT(page, HasSubstr("<td>Headers won</td>"));
-  EXPECT_THAT(page, HasSubstr("2.2")) << "the mean of 3.5 at home and 1 away";
+  const report::TournamentPage page{record, {}, {}, {}, table};
+  const std::string html = outline_page(report::tournament_outline(view, &page), "t.db", {});
+  EXPECT_THAT(html, HasSubstr("<td>Headers won</td>"));
+  EXPECT_THAT(html, HasSubstr("2.2")) << "the mean of 3.5 at home and 1 away";
 }
 
 TEST_F(MetricRow, StandsInTheDocumentation) {

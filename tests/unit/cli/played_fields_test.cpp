@@ -13,9 +13,11 @@
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "process/temporary_folder.hpp"
+#include "cli/study_commands.hpp"
 #include "report/experiment.hpp"
+#include "report/outline.hpp"
 #include "report/tournament.hpp"
-#include "report/tuning_problem.hpp"
+#include "report/tuning_sentences.hpp"
 #include "results/written_study.hpp"
 #include "texts/json.hpp"
 #include "unit/study/experiment_fixture.hpp"
@@ -122,11 +124,13 @@ void expect_said(Document document, const report::WhatWasPlayed& played) {
 
   EXPECT_EQ(report::played_json(played).at("document"), said);
 
-  const std::string page = without_entities(report::played_section(played).str());
+  report::Outline outline;
+  outline.played = played;
+  const std::string page = without_entities(report::outline_page(outline, "results.db", {}));
   EXPECT_THAT(page, testing::HasSubstr(config::document_text(document)));
 
   const process::TemporaryFolder folder;
-  results::write_study(played, {}, folder.path() / "again");
+  results::write_study(played, {}, cli::study_kinds(), folder.path() / "again");
   std::ifstream in(folder.path() / "again" / "study.yaml");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   Json again = config::to_json(config::parse_text(text, "study.yaml"));
@@ -143,9 +147,9 @@ void expect_said(Document document, const report::WhatWasPlayed& played) {
 }
 
 template <class Document>
-Document read(Document (*reader)(const config::Node&, config::Mistakes&), const std::string& text) {
+Document read(const std::string& text) {
   config::Mistakes first(config::Mistakes::After::stop, config::Mistakes::Files::as_they_stand);
-  return reader(config::parse_text(text, "document.yaml"), first);
+  return config::read_document<Document>(config::parse_text(text, "document.yaml"), first);
 }
 
 TEST(PlayedFields, OfATournament) {
@@ -154,7 +158,7 @@ TEST(PlayedFields, OfATournament) {
   for (const std::string& text :
        {std::string(tournament) + settings, std::string("tournament: night\nteams: [{team: a.yaml}, {team: b.yaml}]\n"
                                                         "pairs: 3\ntest: {metric: goals}\n")}) {
-    plan.asked = read(config::read_tournament, text);
+    plan.asked = read<config::Tournament>(text);
     if (text.find("metric") == std::string::npos) expect_said(plan.asked, report::what_was_played(plan));
     EXPECT_EQ(report::played_json(report::what_was_played(plan)).at("document"),
               config::to_json(config::values_of(declare(plan.asked))));
@@ -164,14 +168,14 @@ TEST(PlayedFields, OfATournament) {
 TEST(PlayedFields, OfAnExperiment) {
   study::ExperimentPlan plan = study::experiment_of(2, 2, 3);
   plan.folder = "/somewhere";
-  plan.asked = read(config::read_experiment, std::string(experiment) + settings);
+  plan.asked = read<config::Experiment>(std::string(experiment) + settings);
   expect_said(plan.asked, report::what_was_played(plan));
 }
 
 TEST(PlayedFields, OfATuning) {
   study::TuningPlan plan = study::tuning_of(1, 1, study::Algorithm::spsa);
   plan.folder = "/somewhere";
-  plan.asked = read(config::read_tuning, std::string(tuning) + settings);
+  plan.asked = read<config::Tuning>(std::string(tuning) + settings);
   expect_said(plan.asked, report::what_was_played(plan));
 }
 

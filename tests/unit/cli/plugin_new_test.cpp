@@ -8,9 +8,8 @@
 #include <string>
 
 #include "cli/common_names.hpp"
-#include "cli/plugin_name.hpp"
-#include "cli/plugin_template.hpp"
 #include "output/new_folder.hpp"
+#include "output/new_plugin.hpp"
 
 namespace regista::cli {
 namespace {
@@ -20,43 +19,44 @@ using testing::HasSubstr;
 
 TEST(NewName, MayBeWhatAnIdMayBe) {
   for (const char* name : {"a", "my_ball", "x2", "a__b_", "null", "int", "tests"})
-    EXPECT_EQ(wrong_with_new_name(name), "") << name;
-  EXPECT_EQ(wrong_with_new_name(std::string(64, 'a')), "");
+    EXPECT_EQ(output::wrong_with_new_name(name), "") << name;
+  EXPECT_EQ(output::wrong_with_new_name(std::string(64, 'a')), "");
 }
 
 TEST(NewName, IsRefusedWithTheReason) {
-  EXPECT_THAT(wrong_with_new_name(""), HasSubstr("needs a name"));
-  EXPECT_THAT(wrong_with_new_name(std::string(65, 'a')), HasSubstr("is 65 characters long; at most 64 are taken"));
+  EXPECT_THAT(output::wrong_with_new_name(""), HasSubstr("needs a name"));
+  EXPECT_THAT(output::wrong_with_new_name(std::string(65, 'a')),
+              HasSubstr("is 65 characters long; at most 64 are taken"));
   for (const char* name : {"2x", "_x", "Ball", "a-b", "-x", "a b", "../x", "a/b", "a.b", ".", "é", "a\n"})
-    EXPECT_THAT(wrong_with_new_name(name), HasSubstr("is not lower_snake_case")) << name;
-  EXPECT_THAT(wrong_with_new_name("a\nb"), testing::Not(HasSubstr("\n")));
+    EXPECT_THAT(output::wrong_with_new_name(name), HasSubstr("is not lower_snake_case")) << name;
+  EXPECT_THAT(output::wrong_with_new_name("a\nb"), testing::Not(HasSubstr("\n")));
 }
 
 TEST(NewName, IsNoTargetOfTheBuild) {
   for (const char* name : {"all", "clean", "help", "install", "package", "test"})
-    EXPECT_THAT(wrong_with_new_name(name), HasSubstr("CMake has a target")) << name;
-  EXPECT_THAT(wrong_with_new_name("m"), HasSubstr("system library"));
-  EXPECT_THAT(wrong_with_new_name("regista_testkit"), HasSubstr("Regista's CMake package"));
+    EXPECT_THAT(output::wrong_with_new_name(name), HasSubstr("CMake has a target")) << name;
+  EXPECT_THAT(output::wrong_with_new_name("m"), HasSubstr("system library"));
+  EXPECT_THAT(output::wrong_with_new_name("regista_testkit"), HasSubstr("Regista's CMake package"));
 }
 
 TEST(FilledIn, PutsValuesInThePlaceOfPlaceholders) {
-  const PlaceholderValues values{{"NAME", "x"}, {"A_B", "@NAME@ and @"}};
-  EXPECT_EQ(filled_in("", values), "");
-  EXPECT_EQ(filled_in("@NAME@", values), "x");
-  EXPECT_EQ(filled_in("a @NAME@@NAME@\n", values), "a xx\n");
-  EXPECT_EQ(filled_in("@A_B@", values), "@NAME@ and @") << "a value is left as it is";
+  const output::PlaceholderValues values{{"NAME", "x"}, {"A_B", "@NAME@ and @"}};
+  EXPECT_EQ(output::filled_in("", values), "");
+  EXPECT_EQ(output::filled_in("@NAME@", values), "x");
+  EXPECT_EQ(output::filled_in("a @NAME@@NAME@\n", values), "a xx\n");
+  EXPECT_EQ(output::filled_in("@A_B@", values), "@NAME@ and @") << "a value is left as it is";
 }
 
 TEST(FilledIn, LeavesWhatIsNoPlaceholder) {
-  const PlaceholderValues values{{"NAME", "x"}};
+  const output::PlaceholderValues values{{"NAME", "x"}};
   for (const char* text : {"@", "@@", "me@here", "@name@", "@NAME", "NAME@", "@NA ME@"})
-    EXPECT_EQ(filled_in(text, values), text);
-  EXPECT_EQ(filled_in("@@NAME@@", values), "@x@");
+    EXPECT_EQ(output::filled_in(text, values), text);
+  EXPECT_EQ(output::filled_in("@@NAME@@", values), "@x@");
 }
 
 TEST(FilledIn, RefusesAPlaceholderThatNobodyKnows) {
   try {
-    filled_in("@NAMES@", {{"KIND", ""}, {"NAME", ""}});
+    output::filled_in("@NAMES@", {{"KIND", ""}, {"NAME", ""}});
     FAIL();
   } catch (const BadInput& error) {
     EXPECT_STREQ(error.what(), "template: unknown placeholder \"NAMES\"; nearest: \"NAME\"; known: KIND, NAME");
@@ -81,7 +81,7 @@ TEST_F(Templates, AreFilesOfFourFolders) {
   write("sender/team.yaml", "sender: @NAME@");
   write("sender/c++/plugin.cpp", "");
   write("utility/team.yaml", "");
-  const auto files = files_from_template(folder_, "sender", "c++", {{"NAME", "x"}});
+  const auto files = output::files_from_template(folder_, "sender", "c++", {{"NAME", "x"}});
   ASSERT_EQ(files.size(), 4u);
   EXPECT_EQ(files[0].name, "CMakeLists.txt");
   EXPECT_EQ(files[1].name, "README.md");
@@ -94,7 +94,7 @@ TEST_F(Templates, AreFilesOfFourFolders) {
 TEST_F(Templates, AreMissedByName) {
   write("shared/README.md", "");
   try {
-    files_from_template(folder_, "sender", "c++", {});
+    output::files_from_template(folder_, "sender", "c++", {});
     FAIL();
   } catch (const BadInput& error) {
     EXPECT_THAT(error.what(), HasSubstr("shared/c++: No such file or directory"));

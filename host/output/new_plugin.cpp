@@ -1,21 +1,34 @@
 // SPDX-License-Identifier: MIT
-#include "cli/plugin_template.hpp"
+#include "output/new_plugin.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <system_error>
 
 #include "config/bad_input.hpp"
 #include "config/file.hpp"
+#include "plugin/descriptor.hpp"
 #include "texts/message.hpp"
 
-namespace regista::cli {
+namespace regista::output {
 namespace {
 
 namespace fs = std::filesystem;
 using config::BadInput;
+
+// What CMake, or what it writes for make and ninja, calls its own targets. Of these only names in lower case: others
+// are no names of plugins.
+constexpr std::array<std::string_view, 14> cmake_targets{
+    "all",           "clean",   "default_target",          "define",     "depend",  "edit_cache",
+    "help",          "install", "list_install_components", "preinstall", "package", "package_source",
+    "rebuild_cache", "test"};
+// Libraries that a plugin or its test is linked with: a target of this name would be taken for them.
+constexpr std::array<std::string_view, 4> libraries{"c", "dl", "m", "pthread"};
+// Targets that find_package(regista) makes.
+constexpr std::array<std::string_view, 2> regista_targets{"regista_sdk", "regista_testkit"};
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_";
 
@@ -26,7 +39,7 @@ std::string_view placeholder(std::string_view text) {
   return end != std::string_view::npos && text[end] == '@' ? text.substr(1, end - 1) : std::string_view{};
 }
 
-void add_files(std::vector<output::NewFile>& files, const fs::path& folder, const PlaceholderValues& values) {
+void add_files(std::vector<NewFile>& files, const fs::path& folder, const PlaceholderValues& values) {
   std::error_code error;
   for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error)) {
     if (!each->is_regular_file(error)) continue;
@@ -38,6 +51,20 @@ void add_files(std::vector<output::NewFile>& files, const fs::path& folder, cons
 }
 
 }  // namespace
+
+std::string wrong_with_new_name(std::string_view name) {
+  const auto is_one_of = [name](const auto& names) { return std::ranges::find(names, name) != names.end(); };
+  if (name.empty()) return "the plugin needs a name, such as my_plugin";
+  if (const std::string wrong = plugin::wrong_with_name(name); !wrong.empty()) {
+    return fmt::format("the name {} {}; a name begins with a letter and has lower-case letters, digits and underscores",
+                       texts::in_quotes(name), wrong);
+  }
+  if (is_one_of(cmake_targets)) return fmt::format("CMake has a target {} of its own; choose another name", name);
+  if (is_one_of(libraries)) return fmt::format("{} is the name of a system library; choose another name", name);
+  if (is_one_of(regista_targets))
+    return fmt::format("Regista's CMake package has a target {}; choose another name", name);
+  return {};
+}
 
 std::string filled_in(std::string_view text, const PlaceholderValues& values) {
   std::string out;
@@ -64,15 +91,15 @@ std::string filled_in(std::string_view text, const PlaceholderValues& values) {
   return out;
 }
 
-std::vector<output::NewFile> files_from_template(const fs::path& templates, const std::string& kind,
-                                                 const std::string& language, const PlaceholderValues& values) {
-  std::vector<output::NewFile> files;
+std::vector<NewFile> files_from_template(const fs::path& templates, const std::string& kind,
+                                         const std::string& language, const PlaceholderValues& values) {
+  std::vector<NewFile> files;
   for (const fs::path& folder :
        {fs::path("shared"), "shared" / fs::path(language), fs::path(kind), kind / fs::path(language)}) {
     add_files(files, templates / folder, values);
   }
-  std::ranges::sort(files, {}, &output::NewFile::name);
+  std::ranges::sort(files, {}, &NewFile::name);
   return files;
 }
 
-}  // namespace regista::cli
+}  // namespace regista::output

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `regista cluster-task`, hidden: what a task of an array does. See cluster/slice.hpp.
+#include "cluster/task.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -15,27 +16,25 @@
 #include <utility>
 #include <vector>
 
-#include "cli/commands.hpp"
 #include "cluster/parts.hpp"
 #include "cluster/shared_file.hpp"
 #include "cluster/slice.hpp"
 #include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
+#include "command/end_of_program.hpp"
 #include "command/interruption.hpp"
-#include "config/typed.hpp"
 #include "output/output.hpp"
 #include "results/results_file.hpp"
 #include "study/recording_place.hpp"
-#include "texts/message.hpp"
 
-namespace regista::cli {
+namespace regista::cluster {
 namespace {
 
 namespace fs = std::filesystem;
-using cluster::StudyFolder;
-using cluster::TaskName;
+using command::BadInput;
+using results::Invocation;
 
-constexpr std::chrono::minutes patience{2};  // for the same task, which is about to die elsewhere
+constexpr std::chrono::minutes patience_with_another{2};  // for the same task, which is about to die elsewhere
 constexpr std::chrono::seconds between_courses{2};
 
 std::string node_name() {
@@ -48,7 +47,7 @@ std::string node_name() {
 std::unique_ptr<campaign::Store> part_of(const StudyFolder& folder, const TaskName& name) {
   using Mode = campaign::Store::Mode;
   const fs::path file = folder.under_way(name);
-  const auto until = std::chrono::steady_clock::now() + patience;
+  const auto until = std::chrono::steady_clock::now() + patience_with_another;
   for (;;) {
     if (fs::exists(folder.part(name))) return nullptr;
     try {
@@ -66,16 +65,16 @@ std::unique_ptr<campaign::Store> part_of(const StudyFolder& folder, const TaskNa
   }
 }
 
-cluster::Batch batch_of(const StudyFolder& folder, const TaskName& name) {
-  const auto text = cluster::shared_content(folder.batch(name.batch));
+Batch batch_of(const StudyFolder& folder, const TaskName& name) {
+  const auto text = shared_content(folder.batch(name.batch));
   if (!text) throw BadInput(fmt::format("{}: no such batch", folder.batch(name.batch).string()));
-  cluster::Batch out = cluster::batch_from_json(*text);
+  Batch out = batch_from_json(*text);
   if (name.task >= out.tasks.size()) throw BadInput(fmt::format("batch {} has no task {}", name.batch, name.task));
   return out;
 }
 
-int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& batch, const Invocation& invocation) {
-  const cluster::Settings settings = folder.settings();
+void play(const StudyFolder& folder, const TaskName& name, const Batch& batch, const Invocation& invocation) {
+  const Settings settings = folder.settings();
   const fs::path before = folder.known_before(name.batch);
   const std::string file = (fs::exists(before) ? before : folder.plan()).string();
   const campaign::Store known = results::read_results(file);
@@ -83,12 +82,12 @@ int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& 
   const std::vector<campaign::Job> jobs =
       results::first_jobs(results::stored_study(file, known, {}, invocation.studies)->study());
   const std::string node = node_name();
-  if (const std::string different = jobs.empty() ? "" : cluster::what_differs_here(jobs.front()); !different.empty()) {
-    cluster::write_refusal(folder, name, node, different);
+  if (const std::string different = jobs.empty() ? "" : what_differs_here(jobs.front()); !different.empty()) {
+    write_refusal(folder, name, node, different);
     throw BadInput(fmt::format("node {} plays nothing: {}", node, different));
   }
   const std::unique_ptr<campaign::Store> part = part_of(folder, name);
-  if (!part) return exit_done;
+  if (!part) return;
   if (part->meta("schedule").empty()) part->set_meta("schedule", plan);
 
   const auto report = results::stored_study(file, known, {}, invocation.studies);
@@ -100,7 +99,7 @@ int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& 
     return study::recording_file(folder.results(), static_cast<std::int64_t>(row)).string();
   };
   auto written = std::chrono::steady_clock::now() - between_courses;
-  cluster::SliceOrder order;
+  SliceOrder order;
   order.first_row = batch.first_row;
   order.slices = batch.tasks[name.task];
   order.workers = static_cast<int>(settings.workers);
@@ -110,31 +109,31 @@ int play(const StudyFolder& folder, const TaskName& name, const cluster::Batch& 
     return out;
   };
   order.record_failure = recording;
-  order.course = [&](const cluster::Course& course) {
+  order.course = [&](const Course& course) {
     const auto now = std::chrono::steady_clock::now();
     if (!course.ended && now - written < between_courses) return;
     written = now;
-    cluster::Course named = course;
+    Course named = course;
     named.node = node;
-    cluster::write_course(folder, name, named);
+    write_course(folder, name, named);
   };
   order.asked_to_stop = [&] { return interruption.requested(); };
-  const campaign::Finish finish = cluster::play_slice(study, known, *part, order);
+  const campaign::Finish finish = play_slice(study, known, *part, order);
   if (finish == campaign::Finish::interrupted)
-    throw Interrupted("the task was ended; what it has played is kept", interruption.signal_number());
+    throw command::Interrupted("the task was ended; what it has played is kept", interruption.signal_number());
   part->require_whole_file();
-  return exit_done;
 }
 
-int task(const std::string& folder_name, const TaskName& name, const Invocation& invocation) {
+}  // namespace
+
+void play_task(const std::string& folder_name, const TaskName& name, const Invocation& invocation) {
   const StudyFolder folder(folder_name);
   try {
-    const cluster::Batch batch = batch_of(folder, name);
-    const int exit = play(folder, name, batch, invocation);
+    const Batch batch = batch_of(folder, name);
+    play(folder, name, batch, invocation);
     std::error_code none;  // there is nothing to rename where another process has done it
     if (!fs::exists(folder.part(name), none)) fs::rename(folder.under_way(name), folder.part(name), none);
-    if (batch.may_end_early) cluster::look_whether_it_is_over(folder, invocation);
-    return exit;
+    if (batch.may_end_early) look_whether_it_is_over(folder, invocation);
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());
   } catch (const study::StudyError& error) {
@@ -142,7 +141,7 @@ int task(const std::string& folder_name, const TaskName& name, const Invocation&
   } catch (const campaign::CampaignError& error) {
     if (error.kind() == campaign::CampaignError::Kind::input) {
       // What the node reads is not what was planned.
-      cluster::write_refusal(folder, name, node_name(), error.what());
+      write_refusal(folder, name, node_name(), error.what());
       throw BadInput(error.what());
     }
     throw output::WriteError(error.what());
@@ -153,20 +152,4 @@ int task(const std::string& folder_name, const TaskName& name, const Invocation&
   }
 }
 
-}  // namespace
-
-void add_cluster_task(Command& parent, const Invocation& invocation) {
-  Command& command = parent.add("cluster-task", "a slice of a study on a cluster");
-  command.hide();
-  const auto words = std::make_shared<std::vector<std::string>>();
-  command.take("words", *words, "FOLDER BATCH TASK", "the study's folder, the batch, and the place in its array");
-  command.run = [words, &invocation] {
-    if (words->size() != 3) throw BadInput("cluster-task: is for the program itself, which starts it for an array");
-    constexpr std::uint64_t most = 1'000'000'000;
-    return task((*words)[0],
-                {config::parse_whole("batch", (*words)[1], 1, most), config::parse_whole("task", (*words)[2], 0, most)},
-                invocation);
-  };
-}
-
-}  // namespace regista::cli
+}  // namespace regista::cluster
