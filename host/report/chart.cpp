@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Axes of charts: ranges, tics, and the room that texts take.
+// Axes of charts: ranges, ticks, and the room that texts take.
 #include "report/chart.hpp"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double letter = 8.2, wide_letter = 14.0;  // at the size of letters in charts
 constexpr double between_texts = 12.0, between_lines = 24.0;
-constexpr double farthest = 100.0;  // a safeguard: so many tics no axis has
+constexpr double farthest = 100.0;  // a safeguard: no axis has that many ticks
 
 bool single(const Range& range) { return !(range.high - range.low > 1e-9); }
 
@@ -27,8 +27,8 @@ std::string number(double value, double step) {
   return fmt::format("{:.{}g}", value, std::clamp(before + decimals, 1, 17));
 }
 
-std::vector<Tic> linear_tics(const Range& range, double step) {
-  std::vector<Tic> out;
+std::vector<Tick> linear_ticks(const Range& range, double step) {
+  std::vector<Tick> out;
   const double first = std::ceil(range.low / step - 1e-9), last = std::floor(range.high / step + 1e-9);
   for (double i = 0.0; first + i <= last && i < farthest; ++i) {
     const double at = (first + i) * step + 0.0;  // no -0
@@ -37,8 +37,8 @@ std::vector<Tic> linear_tics(const Range& range, double step) {
   return out;
 }
 
-std::vector<Tic> decades(const Range& range, std::initializer_list<double> digits, int stride) {
-  std::vector<Tic> out;
+std::vector<Tick> decades(const Range& range, std::initializer_list<double> digits, int stride) {
+  std::vector<Tick> out;
   for (int power = static_cast<int>(std::floor(std::log10(range.low))); power <= std::log10(range.high); ++power) {
     if (power % stride != 0) continue;
     for (const double digit : digits) {
@@ -49,12 +49,12 @@ std::vector<Tic> decades(const Range& range, std::initializer_list<double> digit
   return out;
 }
 
-bool apart(const std::vector<Tic>& tics, const Scale& scale, bool upright) {
-  return std::ranges::adjacent_find(tics, [&](const Tic& one, const Tic& next) {
+bool apart(const std::vector<Tick>& ticks, const Scale& scale, bool upright) {
+  return std::ranges::adjacent_find(ticks, [&](const Tick& one, const Tick& next) {
            const double room = std::abs(scale.at(next.at) - scale.at(one.at));
            return room <
                   (upright ? between_lines : 0.5 * (text_width(one.text) + text_width(next.text)) + between_texts);
-         }) == tics.end();
+         }) == ticks.end();
 }
 
 std::size_t next_character(std::string_view text, std::size_t at) {
@@ -83,7 +83,7 @@ double Scale::at(double value) const {
   return begin + (place(value) - place(range.low)) / (place(range.high) - place(range.low)) * (end - begin);
 }
 
-double tic_step(double length, int most) {
+double tick_step(double length, int most) {
   if (!(length > 0.0) || !std::isfinite(length)) return 1.0;
   const double least = length / most;
   const double power = std::pow(10.0, std::floor(std::log10(least)));
@@ -93,19 +93,19 @@ double tic_step(double length, int most) {
   return 10.0 * power;
 }
 
-std::vector<Tic> tics(const Scale& scale, bool whole, bool upright) {
+std::vector<Tick> ticks(const Scale& scale, bool whole, bool upright) {
   const Range& range = scale.range;
-  // Within one power of ten a logarithmic axis has the tics of a linear one.
+  // Within one power of ten a logarithmic axis has the ticks of a linear one.
   if (scale.logarithmic && range.low > 0.0 && range.high >= 10.0 * range.low) {
-    if (std::vector<Tic> out = decades(range, {1.0, 2.0, 5.0}, 1); apart(out, scale, upright)) return out;
+    if (std::vector<Tick> out = decades(range, {1.0, 2.0, 5.0}, 1); apart(out, scale, upright)) return out;
     for (int stride = 1;; ++stride) {
-      if (std::vector<Tic> out = decades(range, {1.0}, stride); apart(out, scale, upright)) return out;
+      if (std::vector<Tick> out = decades(range, {1.0}, stride); apart(out, scale, upright)) return out;
     }
   }
-  std::vector<Tic> out;
+  std::vector<Tick> out;
   for (int most = 10; most > 0; --most) {
-    const double step = tic_step(range.high - range.low, most);
-    std::vector<Tic> fewer = linear_tics(range, whole ? std::max(1.0, step) : step);
+    const double step = tick_step(range.high - range.low, most);
+    std::vector<Tick> fewer = linear_ticks(range, whole ? std::max(1.0, step) : step);
     if (fewer.empty()) break;
     out = std::move(fewer);
     if (apart(out, scale, upright)) return out;

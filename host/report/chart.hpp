@@ -13,13 +13,14 @@ namespace regista::report {
 
 inline constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// From the least to the largest value that was taken.
+// From the least to the largest of the values taken.
 struct Range {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 
   void take(double value);  // one that is not finite is left out
   bool empty() const { return low > high; }
-  // A little more on both sides; around a single value as much as tells it from others. Of no value: from 0 to 1.
+  // A little more on both sides; where all values are equal, enough that the axis has a length. Of no value: from 0
+  // to 1.
   Range with_room() const;
 };
 
@@ -28,7 +29,7 @@ struct Axis {
   std::optional<Range> range{};  // without one: what is drawn, with a little room
   bool from_zero = false;        // so it is where there are bars, too
   bool logarithmic = false;      // for positive values
-  bool whole = false;            // tics are whole numbers
+  bool whole = false;            // ticks are whole numbers
 };
 
 // A value with the ends of its interval; an infinite end reaches to the edge of the chart.
@@ -43,13 +44,13 @@ enum class Interval { nothing, band, whiskers };
 
 // A point whose x or y is not finite is left out, and interrupts a line.
 struct Series {
-  std::string name{};      // in the key; one without a name is not there
-  std::size_t colour = 0;  // of `colours`, round and round
+  std::string name{};      // in the key; a series without a name is not in the key
+  std::size_t colour = 0;  // place in `colours`; after the last colour comes the first again
   std::vector<Point> points{};
   Join join = Join::nothing;
   Shape shape = Shape::nothing;
   double size = 4.0;      // of a shape: half its height
-  std::size_t every = 1;  // of so many points one has a shape
+  std::size_t every = 1;  // 1: every point has a shape; 2: every second one
   Interval interval = Interval::nothing;
   double bar = 0.0;  // thickness of bars, as the axis counts; they begin at 0, or at `low` where that is known
 };
@@ -80,19 +81,19 @@ struct Scale {
   double at(double value) const;
 };
 
-// Distance of tics on an axis of this length such that there are so many distances at most: 1, 2 or 5 times a power of
-// ten.
-double tic_step(double length, int most);
+// The distance of ticks on an axis of this length, such that at most `most` of them fit into it: 1, 2 or 5 times a
+// power of ten.
+double tick_step(double length, int most);
 
-struct Tic {
+struct Tick {
   double at;
   std::string text;
 };
 
-// So many as have room for their texts. Upright: these stand above each other.
-std::vector<Tic> tics(const Scale& scale, bool whole, bool upright);
+// As many ticks as there is room for, texts included. Upright: the texts lie above each other.
+std::vector<Tick> ticks(const Scale& scale, bool whole, bool upright);
 
-// How much room a text takes at most, in units of the picture; a guess, for nobody knows the reader's letters.
+// How much room a text takes at most, in units of the picture; a guess, because the reader's font is not known.
 double text_width(std::string_view text);
 
 // In lines of this width at most, each broken after a space or a sign where it can be.

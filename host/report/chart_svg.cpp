@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Draws a chart. What lies outside of its axes is cut off by computing, so a picture needs no ids, which would have to
-// be of their own on a page.
+// be unique on a page.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,11 +19,10 @@ namespace {
 using texts::drawn;
 using texts::label;
 
-constexpr double margin = 10.0, line_height = 18.0, key_height = 20.0, sample = 24.0, tic_length = 4.0,
+constexpr double margin = 10.0, line_height = 18.0, key_height = 20.0, sample = 24.0, tick_length = 4.0,
                  between_panels = 34.0, cap = 3.0;
-constexpr std::size_t longest_text = 32;  // characters
 
-std::string shown(std::string_view words) { return texts::visible_at_most(words, longest_text); }
+std::string shown(std::string_view words) { return texts::visible_at_most(words, longest_name); }
 
 struct Spot {
   double x, y;
@@ -47,13 +46,17 @@ Html way(std::span<const Spot> spots) {
 }
 Html line(const Spot& from, const Spot& end) { return way(std::initializer_list<Spot>{from, end}); }
 
-// With the spots at which a way crosses the upper and the lower edge.
+bool is_finite(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
+
+// With the spots at which a way crosses the upper and the lower edge; none on the way to or from a spot that is not
+// finite.
 std::vector<Spot> with_crossings(const std::vector<Spot>& spots, const Box& box) {
   std::vector<Spot> out;
   for (std::size_t i = 0; i < spots.size(); ++i) {
     out.push_back(spots[i]);
     if (i + 1 == spots.size()) break;
     const Spot &from = spots[i], &to = spots[i + 1];
+    if (!is_finite(from) || !is_finite(to)) continue;
     const bool down = from.y < to.y;
     for (const double edge : {down ? box.top : box.bottom, down ? box.bottom : box.top}) {
       if ((from.y - edge) * (to.y - edge) >= 0.0) continue;
@@ -63,7 +66,7 @@ std::vector<Spot> with_crossings(const std::vector<Spot>& spots, const Box& box)
   return out;
 }
 
-// The parts of a way that lie within the box; a spot that is nowhere does not.
+// The parts of a way that lie within the box; a spot that is not finite does not.
 Html way_within(const std::vector<Spot>& spots, const Box& box) {
   const std::vector<Spot> all = with_crossings(spots, box);
   Html out;
@@ -142,12 +145,12 @@ class Painter {
     const double top = margin + key.height(), bottom = top + chart_.height;
     y_ = rows_ ? Scale{{-0.5, static_cast<double>(chart_.rows.size()) - 0.5}, false, top, bottom}
                : Scale{range_of(chart_.y, false, chart_.panels), chart_.y.logarithmic, bottom, top};
-    for (const std::string& row : chart_.rows) y_tics_.push_back({static_cast<double>(y_tics_.size()), shown(row)});
-    if (!rows_) y_tics_ = tics(y_, chart_.y.whole, true);
+    for (const std::string& row : chart_.rows) y_ticks_.push_back({static_cast<double>(y_ticks_.size()), shown(row)});
+    if (!rows_) y_ticks_ = ticks(y_, chart_.y.whole, true);
     double names = 0.0;
-    for (const Tic& each : y_tics_) names = std::max(names, text_width(each.text));
+    for (const Tick& each : y_ticks_) names = std::max(names, text_width(each.text));
     const std::vector<std::string> title = in_lines(chart_.y.title, chart_.height);
-    const double left = margin + line_height * static_cast<double>(title.size()) + names + 2.0 * tic_length;
+    const double left = margin + line_height * static_cast<double>(title.size()) + names + 2.0 * tick_length;
 
     out_ << keyed(key);
     for (std::size_t i = 0; i < title.size(); ++i) {
@@ -242,15 +245,15 @@ class Painter {
 
   void panel(const Panel& of, Box box, bool first) {
     Scale x;
-    std::vector<Tic> x_tics;
+    std::vector<Tick> x_ticks;
     // The last text reaches over the end of the axis, which makes room for it at the end of the picture.
     for (const bool known : {false, true}) {
-      if (known && !x_tics.empty()) {
-        const Tic& last = x_tics.back();
+      if (known && !x_ticks.empty()) {
+        const Tick& last = x_ticks.back();
         box.right -= std::max(0.0, x.at(last.at) + 0.5 * text_width(last.text) - (chart_.width - 4.0));
       }
       x = {range_of(of.x, true, {&of, 1}), of.x.logarithmic, box.left, box.right};
-      x_tics = tics(x, of.x.whole, false);
+      x_ticks = ticks(x, of.x.whole, false);
     }
     const Scale& values = rows_ ? x : y_;
     const auto level = [&](double value) {
@@ -258,7 +261,7 @@ class Painter {
       return rows_ ? line({at, box.top}, {at, box.bottom}) : line({box.left, at}, {box.right, at});
     };
     Html lines, ends, texts;
-    for (const Tic& each : rows_ ? x_tics : y_tics_) lines << level(each.at);
+    for (const Tick& each : rows_ ? x_ticks : y_ticks_) lines << level(each.at);
     for (double row = 0.5; rows_ && row < y_.range.high; ++row)
       lines << line({box.left, y_.at(row)}, {box.right, y_.at(row)});
     out_ << stroked(lines, look_ == Look::page ? "var(--grid)" : "#cccccc", 0.7);
@@ -269,19 +272,19 @@ class Painter {
     }
     for (const Series& each : of.series) series(each, box, x);
 
-    for (const Tic& each : x_tics) {
+    for (const Tick& each : x_ticks) {
       const double at = x.at(each.at);
-      ends << line({at, box.bottom}, {at, box.bottom + tic_length});
-      texts << label(at, box.bottom + tic_length + 15.0, "text-anchor", "middle", each.text);
+      ends << line({at, box.bottom}, {at, box.bottom + tick_length});
+      texts << label(at, box.bottom + tick_length + 15.0, "text-anchor", "middle", each.text);
     }
-    for (const Tic& each : y_tics_) {
+    for (const Tick& each : y_ticks_) {
       const double at = y_.at(each.at);
-      if (!rows_) ends << line({box.left - tic_length, at}, {box.left, at});
-      if (first) texts << label(box.left - 2.0 * tic_length, at + 5.0, "text-anchor", "end", each.text);
+      if (!rows_) ends << line({box.left - tick_length, at}, {box.left, at});
+      if (first) texts << label(box.left - 2.0 * tick_length, at + 5.0, "text-anchor", "end", each.text);
     }
     ends << way(std::initializer_list<Spot>{{box.left, box.top}, {box.left, box.bottom}, {box.right, box.bottom}});
     out_ << stroked(ends, look_ == Look::page ? "currentColor" : "#000000", 0.8) << texts;
-    double below = box.bottom + tic_length + 17.0;
+    double below = box.bottom + tick_length + 17.0;
     const double centre = 0.5 * (box.left + box.right);
     const double room = chart_.panels.size() == 1 ? 2.0 * std::min(centre, chart_.width - centre) - 2.0 * margin
                                                   : box.right - box.left + 0.5 * between_panels;
@@ -298,7 +301,6 @@ class Painter {
   Spot end_of(const Point& point, double end, const Scale& x) const {
     return rows_ ? Spot{x.at(end), y_.at(point.y)} : Spot{x.at(point.x), y_.at(end)};
   }
-  static bool lies(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
   static bool bounded(const Point& point) {
     return !std::isnan(point.low) && !std::isnan(point.high) && (std::isfinite(point.low) || std::isfinite(point.high));
   }
@@ -337,7 +339,7 @@ class Painter {
     Html rects;
     for (const Point& each : of.points) {
       const Spot middle = spot(each, x);
-      if (!lies(middle)) continue;
+      if (!is_finite(middle)) continue;
       const double half = 0.5 * of.bar;
       const Spot base = end_of(each, std::isnan(each.low) ? 0.0 : each.low, x);
       const Spot one = box.nearest(rows_ ? Spot{base.x, y_.at(each.y - half)} : Spot{x.at(each.x - half), base.y});
@@ -353,7 +355,7 @@ class Painter {
   void whiskers(const Series& of, const Box& box, const Scale& x) {
     Html path;
     for (const Point& each : of.points) {
-      if (!lies(spot(each, x)) || !bounded(each)) continue;
+      if (!is_finite(spot(each, x)) || !bounded(each)) continue;
       const Spot low = end_of(each, each.low, x), high = end_of(each, each.high, x);
       path << line(box.nearest(low), box.nearest(high));
       for (const Spot& end : {low, high}) {
@@ -383,7 +385,7 @@ class Painter {
   Look look_;
   bool rows_;
   Scale y_;
-  std::vector<Tic> y_tics_;
+  std::vector<Tick> y_ticks_;
   Html out_;
   double lowest_ = 0.0;
 };

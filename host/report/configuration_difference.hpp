@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "report/outline.hpp"
+
 namespace regista::report {
 
 struct DifferingValue {
@@ -19,5 +21,9 @@ struct DifferingValue {
 // documents: YAML as config::show writes it without remarks. In the order of the first document, then what only later
 // ones have. Throws config::Error for what is no YAML.
 std::vector<DifferingValue> differing_values(std::span<const std::string> documents);
+
+// For a page: in the teams' documents, disturbances, plugins and files; then each document in full. documents: of the
+// first teams, in their order; none: not known.
+Section configuration_section(std::span<const std::string> documents, std::span<const PlayedTeam> teams);
 
 }  // namespace regista::report

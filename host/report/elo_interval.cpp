@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "report/standing.hpp"
-#include "report/verdict_sentence.hpp"
 
 namespace regista::report {
 

@@ -69,17 +69,11 @@ std::string rounded_with_sign(double value, double margin) {
   return text.starts_with('-') ? text : '+' + text;
 }
 
-std::string estimate_text(const study::MeanEstimate& estimate, const char* between) {
+std::string estimate_text(const study::MeanEstimate& estimate) {
   if (estimate.pairs == 0) return "-";
   if (!estimate.interval) return rounded(estimate.mean, 0.0);
   const double margin = half_width(estimate.interval);
-  return fmt::format("{} {} {}", rounded(estimate.mean, margin), between, rounded(margin, margin));
-}
-
-std::string interval_text(const study::MeanEstimate& estimate) {
-  if (!estimate.interval) return "no interval";
-  const double margin = half_width(estimate.interval);
-  return fmt::format("[{}, {}]", rounded(estimate.interval->low, margin), rounded(estimate.interval->high, margin));
+  return fmt::format("{} ± {}", rounded(estimate.mean, margin), rounded(margin, margin));
 }
 
 bool has_width(const statistics::Interval& interval) {

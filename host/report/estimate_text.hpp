@@ -26,17 +26,15 @@ double half_width(const std::optional<statistics::Interval>& interval);
 std::string rounded(double value, double margin);
 // The same, with a plus before what is not negative.
 std::string rounded_with_sign(double value, double margin);
-// "3.21 +/- 0.40"; "3.21" without an interval, "-" without pairs.
-std::string estimate_text(const study::MeanEstimate& estimate, const char* between = "+/-");
-// "[2.81, 3.61]"; "no interval"
-std::string interval_text(const study::MeanEstimate& estimate);
+// "3.21 ± 0.40"; "3.21" without an interval, "-" without pairs.
+std::string estimate_text(const study::MeanEstimate& estimate);
 
 // It has ends, and more between them than rounding makes of values that are all the same.
 bool has_width(const statistics::Interval& interval);
 // "0.85 [0.40, 1.30]"; "0.85" without an interval that has a width, "-" without a pair.
 std::string with_interval(const study::MeanEstimate& estimate);
 // "+0.85 [0.40, 1.30]"
-std::string signed_with_interval(const study::MeanEstimate& estimate);
 std::string signed_with_interval(const statistics::Estimate& estimate);
+std::string signed_with_interval(const study::MeanEstimate& difference);
 
 }  // namespace regista::report

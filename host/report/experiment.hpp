@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
+#include "report/outline.hpp"
 #include "report/what_was_played.hpp"
 #include "study/experiment.hpp"
 #include "study/experiment_plan.hpp"
@@ -25,17 +26,11 @@ struct ExperimentView {
 
 WhatWasPlayed what_was_played(const study::ExperimentPlan& plan);
 
-// "role_overlap: 3 arms against spqr2023, 36 matches each"
-std::string experiment_title(const ExperimentView& view);
-
-// What a live display shows: the first measures, or the primary one first. Lines, each ended.
+// What a live display shows: a few measures, the primary one first; of a sweep one. Lines, each ended.
 std::string experiment_standing(const ExperimentView& view);
 
-// The whole page: title, table, differences, findings, failures.
-std::string experiment_text(const ExperimentView& view);
-
-// One JSON object with a newline.
-std::string experiment_json(const ExperimentView& view);
+// All that is said of it, for a terminal, a page and programs.
+Outline experiment_outline(const ExperimentView& view);
 
 // What was found of the primary measure, in one line. Arms stand in an order ("a > b > c") only where every difference
 // between them was found, after the correction for the number of comparisons.
@@ -54,7 +49,7 @@ std::string experiment_csv_head(const study::ExperimentPlan& plan);
 std::string experiment_csv_lines(const study::ExperimentPlan& plan, std::uint64_t index,
                                  const campaign::Decided& decided, CsvMeasures measures);
 
-// A table with a row for each measure of each condition: what experiment_text shows, in full precision.
+// A table with a row for each measure of each condition: the means of the outline, in full precision.
 std::string experiment_summary_csv(const ExperimentView& view);
 
 }  // namespace regista::report

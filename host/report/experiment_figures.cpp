@@ -182,7 +182,7 @@ std::vector<std::string> roles_of(const study::ExperimentPlan& plan) {
   return out;
 }
 
-// "playing.goalkeeper" is told from that of another list by its path; in a picture the role is enough.
+// "goalkeeper" of "playing.goalkeeper": other lists may have a role of this name, but in a picture it is enough.
 std::string short_name(const std::string& role) {
   std::string out = role.substr(role.rfind('.') + 1);
   std::ranges::replace(out, '_', ' ');

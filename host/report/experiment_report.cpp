@@ -6,12 +6,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "process/program.hpp"
 #include "report/experiment.hpp"
 #include "report/experiment_figures.hpp"
-#include "report/experiment_page.hpp"
 #include "report/fingerprint.hpp"
-#include "report/tournament.hpp"
+#include "report/match_remarks.hpp"
 #include "study/experiment.hpp"
 #include "texts/message.hpp"
 
@@ -28,22 +26,23 @@ class ExperimentReport final : public StudyReport {
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
 
-  std::string title() const override { return experiment_title(view()); }
-  std::string question() const override { return plan_.asked.question; }
   std::vector<std::string> teams() const override {
     std::vector<std::string> out;
     for (const config::Experiment::Arm& each : plan_.asked.arms) out.push_back(each.name);
     out.push_back(plan_.asked.opponent);
     return out;
   }
-  std::string headline() const override { return experiment_headline(view()); }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
+  Outline outline() const override { return experiment_outline(view()); }
+  Outline page_outline(const PageFiles& /*files*/) const override {
+    Outline out = outline();
+    out.fingerprint = fingerprint_.text();
+    return out;
+  }
   std::vector<std::string> notes() const override;
   std::string standing() const override { return experiment_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
 
-  std::string text() const override { return experiment_text(view()); }
-  std::string json() const override { return experiment_json(view()); }
   std::string incomplete() const override {
     if (course_.complete()) return {};
     return fmt::format("{} of {} matches without a gap: the experiment is not at its end", course_.taken(),
@@ -65,11 +64,6 @@ class ExperimentReport final : public StudyReport {
     fingerprint_.take(index, *decided);
   }
   std::vector<Figure> figures() const override { return experiment_figures(view()); }
-  std::string page(PageFrame frame) const override {
-    return experiment_page({view(),
-                            std::move(frame.figures),
-                            {frame.results.filename().string(), frame.program, fingerprint_.text(), {}}});
-  }
 
  private:
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, study::trial(plan_, index)); }

@@ -21,7 +21,15 @@ bool is_numbered(std::string_view name, std::string_view prefix) {
   return !number.empty() && number.size() <= 3 && number.find_first_not_of("0123456789") == number.npos;
 }
 
-std::string in_title(std::string_view text) { return texts::visible_at_most(text, 32); }
+std::string in_title(std::string_view text) { return texts::visible_at_most(text, longest_name); }
+
+std::string name_with(std::string_view text, std::string_view words) {
+  constexpr std::size_t dots = 3;  // that follow what is cut
+  const std::size_t room = longest_name - words.size();
+  std::string name = texts::visible(text);
+  if (texts::visible_at_most(name, room) != name) name = texts::visible_at_most(name, room - dots);
+  return name += words;
+}
 
 std::string figure_field(std::string_view text) {
   std::string out;

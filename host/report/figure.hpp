@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -17,7 +18,7 @@ namespace regista::report {
 struct Figure {
   std::string name{};         // of its files: letters, digits and _ alone
   std::string title{};        // what is seen, in one line
-  std::string description{};  // what is to be known to read it; for those who cannot see it, too
+  std::string description{};  // what a reader needs to understand it; also for those who cannot see it
   std::string csv{};          // with a line of names; every line ended
   Chart chart{};
 };
@@ -40,11 +41,16 @@ inline constexpr double page_width = 1130.0;  // of a chart as wide as the page
 bool is_numbered(std::string_view name, std::string_view prefix);
 
 // The text of a user within a title of an axis: not too long to be drawn. Names of rows and series are cut short where
-// they are drawn.
+// they are drawn, to `longest_name` characters.
 std::string in_title(std::string_view text);
+inline constexpr std::size_t longest_name = 32;
 
-// The text of a user as a field of a figure's table: in one line, and without quotes, for gnuplot 5.4, which many draw
-// such tables with, loses the line of a field in which there are some.
+// The name of a series made of the text of a user and a few words, such as " wins": the text is cut short so far that
+// the words are drawn in full.
+std::string name_with(std::string_view text, std::string_view words);
+
+// The text of a user as a field of a figure's table: in one line, and without quotes, because gnuplot 5.4, with which
+// many draw such tables, drops the line of a field that has some.
 std::string figure_field(std::string_view text);
 std::string figure_field(double number);  // empty where there is none
 

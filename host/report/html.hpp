@@ -10,7 +10,6 @@ using texts::data_address;
 using texts::Html;
 using texts::lines;
 using texts::Markup;
-using texts::name;
 using texts::path_address;
 using texts::text;
 using texts::operator""_html;

@@ -5,13 +5,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
-#include "report/html_table.hpp"
-#include "report/page_parts.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
-#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -29,7 +25,7 @@ std::string written_sentence(const study::MatchRemarks& remarks) {
 
 std::string kept_sentence(const study::MatchRemarks& remarks) {
   const study::MatchRemark& first = remarks.kept().listed().front();
-  return fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, texts::visible(first.text));
+  return fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, first.text);
 }
 
 Json listed(const study::RemarkList& list) {
@@ -71,94 +67,99 @@ std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& 
   return remarks.shared().count() > 0 ? "Not a result of robots that decide alone: " : "";
 }
 
-std::string doubts_text(const study::MatchRemarks& remarks) {
-  std::string out;
+Section doubts(const study::MatchRemarks& remarks) {
+  Section out("doubts", "");
   for (const Doubt& doubt : doubts_of(remarks)) {
     for (const study::MatchRemark& each : doubt.list.listed())
-      out += fmt::format("{}: match {}: {}\n", doubt.words, each.match + 1, texts::visible(each.text));
+      out.line(strong(fmt::format("{}:", doubt.words)) << fmt::format(" match {}: {}", each.match + 1, each.text));
     if (doubt.list.unlisted() > 0)
-      out += fmt::format("{}: {} more\n", doubt.words, matches_in_words(doubt.list.unlisted()));
+      out.line(strong(fmt::format("{}:", doubt.words))
+               << fmt::format(" {} more", matches_in_words(doubt.list.unlisted())));
   }
   return out;
 }
 
-std::string unplayed_text(const study::MatchRemarks& remarks) {
-  std::string out;
+Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
+  Section out("unplayed", "Matches that could not be played");
   const study::RemarkList& list = remarks.unplayed();
-  for (const study::MatchRemark& each : list.listed()) {
-    out += fmt::format("  match {}: {}\n", each.match + 1, texts::visible(each.text));
-  }
-  if (list.unlisted() > 0) out += fmt::format("  and {} more\n", matches_in_words(list.unlisted()));
+  if (list.count() == 0) return out;
+  out.line(fmt::format("{} left out of every number, with both matches; no team can be blamed.",
+                       texts::counted(pairs, "pair is", "pairs are")));
+  std::vector<Sentence> lines;
+  for (const study::MatchRemark& each : list.listed())
+    lines.push_back(fmt::format("match {}: {}", each.match + 1, each.text));
+  if (list.unlisted() > 0) lines.push_back(fmt::format("and {} more", matches_in_words(list.unlisted())));
+  out.list(std::move(lines));
   return out;
 }
 
-std::string notes_text(const study::MatchRemarks& remarks) {
-  std::string out = remarks.kept().count() == 0 ? std::string() : kept_sentence(remarks) + '\n';
-  return remarks.written_count() == 0 ? out : out + written_sentence(remarks) + '\n';
+Section notes_on(const study::MatchRemarks& remarks) {
+  Section out("remarks", "");
+  if (remarks.kept().count() > 0) out.note(kept_sentence(remarks));
+  if (remarks.written_count() > 0) out.note(written_sentence(remarks));
+  return out;
 }
 
-void add_doubts(const study::MatchRemarks& remarks, Json& out) {
-  for (const Doubt& doubt : doubts_of(remarks))
-    out[doubt.key] = {{"matches", doubt.list.count()}, {"listed", listed(doubt.list)}};
+std::string plugin_text(const std::string& plugin, const std::string& team) {
+  return plugin.empty() ? "a plugin of " + team : "plugin " + plugin;
+}
+
+std::string forfeit_text(const std::string& label, const campaign::Failure& failure) {
+  std::string out = fmt::format("forfeited by {}: {}", label, plugin_text(failure.plugin, label));
+  if (!failure.call.empty()) out += ", " + failure.call;
+  return texts::one_line(out + ": " + failure.what);
+}
+
+Section forfeits_section(const study::ForfeitList& forfeits, const ForfeitWords& words) {
+  Section out("failures", "Forfeits");
+  if (forfeits.listed().empty()) return out;
+  out.line(words.how_they_count);
+  std::vector<Sentence> lines;
+  for (const study::Forfeits& each : forfeits.listed()) {
+    const std::string label = words.label(each.team);
+    Sentence line = texts::counted(each.count, "match", "matches") + " forfeited by ";
+    line << named(label) << ": "
+         << (each.failure.plugin.empty() ? Sentence("a plugin of ") << named(label)
+                                         : Sentence("plugin " + each.failure.plugin));
+    if (!each.failure.call.empty()) line << ", " + each.failure.call;
+    line << ": " + each.failure.what;
+    if (words.again)
+      line << "; the first again: " << code(words.again(each.first_match));
+    else
+      line << fmt::format("; first in match {}", each.first_match + 1);
+    lines.push_back(std::move(line));
+  }
+  if (const std::uint64_t more = forfeits.unlisted(); more > 0)
+    lines.push_back(texts::counted(more, "more match", "more matches") + " forfeited for other reasons");
+  out.list(std::move(lines));
+  return out;
+}
+
+Json forfeits_json(const study::ForfeitList& forfeits, const ForfeitWords& words, const char* who) {
+  Json out = Json::array();
+  for (const study::Forfeits& each : forfeits.listed()) {
+    out.push_back({{who, words.label(each.team)},
+                   {"plugin", each.failure.plugin},
+                   {"call", each.failure.call},
+                   {"what", each.failure.what},
+                   {"matches", each.count},
+                   {"first_match", each.first_match + 1}});
+    if (words.again) out.back()["again"] = words.again(each.first_match);
+  }
+  return out;
 }
 
 Json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks) {
   return {{"pairs", pairs}, {"matches", remarks.unplayed().count()}, {"listed", listed(remarks.unplayed())}};
 }
 
-void add_notes(const study::MatchRemarks& remarks, Json& out) {
+void add_remarks(const study::MatchRemarks& remarks, Json& out) {
+  for (const Doubt& doubt : doubts_of(remarks))
+    out[doubt.key] = {{"matches", doubt.list.count()}, {"listed", listed(doubt.list)}};
   out["kept_outside"] = {{"matches", remarks.kept().count()}, {"listed", listed(remarks.kept())}};
   Json matches = Json::array();
   for (const std::uint64_t each : remarks.written()) matches.push_back(each + 1);
   out["standard_error"] = {{"matches", remarks.written_count()}, {"listed", matches}};
-}
-
-Html doubts_note(const study::MatchRemarks& remarks) {
-  Html out;
-  for (const Doubt& doubt : doubts_of(remarks)) {
-    if (doubt.list.count() == 0) continue;
-    std::string words = doubt.words, id = doubt.key;
-    words.front() = static_cast<char>(std::toupper(words.front()));
-    std::ranges::replace(id, '_', '-');
-    out << "<div id=\""_html << text(id) << "\">\n"_html;
-    for (const study::MatchRemark& each : doubt.list.listed()) {
-      out << "<p><strong>"_html << text(words) << ":</strong> "_html
-          << text(fmt::format("match {}: {}", each.match + 1, each.text)) << "</p>\n"_html;
-    }
-    if (doubt.list.unlisted() > 0) {
-      out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(doubt.list.unlisted()))) << "</p>\n"_html;
-    }
-    out << "</div>\n"_html;
-  }
-  return out;
-}
-
-Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
-  const study::RemarkList& list = remarks.unplayed();
-  if (list.count() == 0) return {};
-  HtmlTable table({{"Match"_html}, {"What happened"_html, Column::words}});
-  for (const study::MatchRemark& each : list.listed()) {
-    table.row({text(fmt::format("{}", each.match + 1)), text(each.text)});
-  }
-  Html out = "<p>"_html;
-  out << text(fmt::format("{} left out of every number, with both matches.",
-                          texts::counted(pairs, "pair is", "pairs are")))
-      << "</p>\n<div class=\"values\">"_html << table.html() << "</div>\n"_html;
-  if (list.unlisted() > 0) {
-    out << "<p>"_html << text(fmt::format("And {} more.", matches_in_words(list.unlisted()))) << "</p>\n"_html;
-  }
-  return section("unplayed", "Matches that could not be played"_html, out);
-}
-
-Html remarks_note(const study::MatchRemarks& remarks) {
-  Html out;
-  const auto add = [&out](const char* id, std::string sentence) {
-    sentence.front() = static_cast<char>(std::toupper(sentence.front()));
-    out << "<p class=\"note\" id=\""_html << text(id) << "\">"_html << text(sentence) << "</p>\n"_html;
-  };
-  if (remarks.kept().count() > 0) add("kept-outside", kept_sentence(remarks));
-  if (remarks.written_count() > 0) add("standard-error", written_sentence(remarks));
-  return out;
 }
 
 }  // namespace regista::report

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What the reports of all studies say of single matches besides their results: those in which robots did not decide
-// alone, and those that came out otherwise when they were played a second time, stand at the top; those that could not
-// be played beside the verdict, those in which plugins wrote to standard error at the end. Matches are counted from 1.
+// What the reports of all studies say of single matches besides their results: at the top those in which robots did not
+// decide alone and those that came out otherwise when they were played a second time; beside the verdict those that
+// could not be played and those that were forfeited; at the end those in which plugins wrote to standard error. Matches
+// are counted from 1.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "campaign/limits.hpp"
-#include "report/html.hpp"
+#include "report/outline.hpp"
+#include "study/forfeits.hpp"
 #include "study/match_remarks.hpp"
 
 namespace regista::report {
@@ -22,25 +25,34 @@ std::string prevented_headline(std::uint64_t pairs);
 // "1 pair could not be played and counts nowhere: ..."; empty without one. In one sentence.
 std::string unplayed_sentence(std::uint64_t pairs);
 
-// What stands before the headline where robots did not decide alone, or need not: "Not a result of robots that decide
+// What precedes the headline where robots did not decide alone, or need not: "Not a result of robots that decide
 // alone: ". Mostly empty.
 std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& limits);
 
-// Lines, each ended; empty where there is nothing to report.
-std::string doubts_text(const study::MatchRemarks& remarks);    // "not reproducible: match 1: ..."
-std::string unplayed_text(const study::MatchRemarks& remarks);  // "  match 5: ..."
-std::string notes_text(const study::MatchRemarks& remarks);     // where plugins wrote to standard error, ...
+// Each empty where there is nothing to report.
+Section doubts(const study::MatchRemarks& remarks);  // "not reproducible: match 1: ..."
+Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
+Section notes_on(const study::MatchRemarks& remarks);  // where plugins wrote to standard error, ...
 
-// Adds "not_alone", "not_reproducible" and "not_proven", each {"matches", "listed": [{"match", "what"}]}.
-void add_doubts(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
-// The same, with "pairs".
+// "plugin hangs"; where only the team is known "a plugin of small"
+std::string plugin_text(const std::string& plugin, const std::string& team);
+// "forfeited by small: plugin hangs, holds: used more than 5 s of processor time"
+std::string forfeit_text(const std::string& label, const campaign::Failure& failure);
+
+// How a study speaks of forfeits.
+struct ForfeitWords {
+  std::function<std::string(std::size_t team)> label;
+  std::function<std::string(std::uint64_t match)> again;  // the command that plays a match by itself; may be empty
+  std::string how_they_count;                             // a sentence; may be empty
+};
+Section forfeits_section(const study::ForfeitList& forfeits, const ForfeitWords& words);
+// who: the key of the team.
+nlohmann::ordered_json forfeits_json(const study::ForfeitList& forfeits, const ForfeitWords& words, const char* who);
+
+// {"pairs", "matches", "listed": [{"match", "what"}]}
 nlohmann::ordered_json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks);
-// Adds "kept_outside", as those of add_doubts, and "standard_error", {"matches", "listed": [1, 2]}.
-void add_notes(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
-
-// The same for a page; empty where there is nothing to report.
-Html doubts_note(const study::MatchRemarks& remarks);
-Html unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
-Html remarks_note(const study::MatchRemarks& remarks);
+// Adds "not_alone", "broken_promises", "not_reproducible", "not_proven" and "kept_outside", each {"matches", "listed":
+// [{"match", "what"}]}, and "standard_error", {"matches", "listed": [1, 2]}.
+void add_remarks(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
 
 }  // namespace regista::report

@@ -7,7 +7,7 @@
 
 #include "match/names.hpp"
 #include "report/match_summary.hpp"
-
+#include "report/outline.hpp"
 #include "texts/json.hpp"
 
 namespace regista::report {
@@ -106,7 +106,8 @@ std::string world_model(const match::WorldModelMetrics& model) {
 
 std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed& played) {
   const match::Result& result = match.result;
-  std::string out = played_text(played) + '\n';
+  const Section before = played_section(played);
+  std::string out = before.title + '\n' + section_text(before) + '\n';
   out += fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
   out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
   out += fmt::format("seed        {}\n", match.seed);

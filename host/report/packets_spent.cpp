@@ -7,11 +7,10 @@
 
 namespace regista::report {
 
-std::string packets_clause(const study::PacketsSpent& packets, OverspentMark mark) {
+std::string packets_clause(const study::PacketsSpent& packets) {
   if (packets.games() == 0) return {};
-  const char* const marked = mark == OverspentMark::loud ? ": OVERSPENT" : ": overspent";
   return fmt::format("spent {:.4g} packets per match; the share of the budget for this length is {:.4g}{}",
-                     packets.spent(), packets.share(), packets.overspent() ? marked : "");
+                     packets.spent(), packets.share(), packets.overspent() ? ": OVERSPENT" : "");
 }
 
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets) {

@@ -10,11 +10,9 @@
 
 namespace regista::report {
 
-enum class OverspentMark { loud, quiet };  // "OVERSPENT" for a terminal, "overspent" for a page
-
 // "spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT"; empty where there is nothing
 // to show.
-std::string packets_clause(const study::PacketsSpent& packets, OverspentMark mark);
+std::string packets_clause(const study::PacketsSpent& packets);
 
 // {"per_match", "share", "overspent"}; null where there is nothing to show.
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "report/course_record.hpp"
@@ -18,6 +19,12 @@ namespace regista::report {
 struct PageRecordings {
   std::vector<RecordedRow> fitting;
   std::uint64_t not_read = 0;  // files beyond those that are looked into: CourseRecord::most_recorded
+};
+
+// Where a recorded match is found, as seen from the page.
+struct RecordingLink {
+  std::string path;     // relative
+  std::string command;  // that shows it, given in the folder of the page
 };
 
 PageRecordings page_recordings(const TournamentView& view, const CourseRecord& record,

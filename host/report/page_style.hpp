@@ -47,6 +47,7 @@ figure svg{display:block;width:100%;height:auto;font-family:inherit}
 figcaption{font-size:13.5px;color:var(--soft);max-width:80ch;overflow-wrap:anywhere}
 figcaption b{color:var(--ink)}
 .take{white-space:nowrap}
+#doubts p::first-letter,#remarks p::first-letter{text-transform:uppercase}
 .key{display:inline-block;width:10px;height:10px;margin-right:6px;background:var(--series-1)}
 .first{border-radius:50%}.second{background:var(--series-2);clip-path:polygon(50% 0,100% 100%,0 100%)}
 pre{margin:6px 0;padding:10px 12px;background:var(--panel);border:1px solid var(--line);border-radius:6px;

@@ -145,7 +145,7 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
   statistics::SquareTable payoff(teams);
   for (std::size_t team = 0; team < teams; ++team) {
     out[team].team = team;
-    out[team].failures = course.failures()[team];
+    out[team].failures = course.forfeits().of_team()[team];
   }
   for (const study::Meeting& meeting : course.meetings()) {
     const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is said of a study, whatever it is: while it is played, at its end, as JSON, as a table, with figures, on a
-// page. A report owns its study and that one's plan. It says the same of a study that was played just now and of one
-// that was read back.
+// What is said of a study, whatever it is: while it is played, and at its end as an outline (outline.hpp), as a table,
+// in figures. A report owns its study and that one's plan. It says the same of a study that was played just now and of
+// one that was read back.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,7 @@
 
 #include "campaign/job.hpp"
 #include "report/figure.hpp"
-#include "report/page_parts.hpp"
-#include "report/what_was_played.hpp"
+#include "report/outline.hpp"
 #include "study/study.hpp"
 
 namespace regista::report {
@@ -27,11 +26,9 @@ struct TableWish {
   match::MetricPaths metrics{};  // that matches of the file have
 };
 
-// What a page is made with.
-struct PageFrame {
-  std::filesystem::path results, page;  // files
-  std::vector<Figure> figures;
-  std::string program;                 // version that began the study
+// What a page shows of files besides the results.
+struct PageFiles {
+  std::filesystem::path results, page;
   std::vector<std::string> documents;  // of the teams, resolved; empty: not known
 };
 
@@ -41,14 +38,12 @@ class StudyReport {
   virtual study::Study& study() = 0;
   virtual const study::Study& study() const = 0;
 
-  // What it is, what was asked (empty where nothing says it), and what was found as far as it has come: a line each.
-  virtual std::string title() const = 0;
-  virtual std::string question() const { return {}; }
   virtual std::vector<std::string> teams() const { return {}; }  // who plays, as the study calls them
-  virtual std::string headline() const = 0;
 
-  // With it every report begins.
   virtual WhatWasPlayed played() const = 0;
+  // What was found, as far as it has come; a page has more sections, and figures.
+  virtual Outline outline() const = 0;
+  virtual Outline page_outline(const PageFiles& /*files*/) const { return outline(); }
 
   // Before its first match: what is worth knowing, lines without their ends.
   virtual std::vector<std::string> notes() const { return {}; }
@@ -58,9 +53,6 @@ class StudyReport {
   // "small 1:0 other": a match that was taken, in a line without its end.
   virtual std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const = 0;
 
-  // At its end, or as far as it has come. Lines, each ended.
-  virtual std::string text() const = 0;
-  virtual std::string json() const = 0;
   // "3 of 8 matches without a gap: the tournament is not at its end"; empty at its end.
   virtual std::string incomplete() const = 0;
 
@@ -80,7 +72,6 @@ class StudyReport {
   virtual void take(const study::Round& round, std::uint64_t index, const campaign::Decided* decided) = 0;
   virtual void end_page() {}
   virtual std::vector<Figure> figures() const = 0;
-  virtual std::string page(PageFrame frame) const = 0;
 };
 
 }  // namespace regista::report

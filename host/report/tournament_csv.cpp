@@ -4,12 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
 #include <optional>
 
 #include "report/csv_text.hpp"
-#include "report/tournament.hpp"
+#include "report/tournament_outline.hpp"
 #include "study/packets_spent.hpp"
 
 namespace regista::report {
@@ -32,9 +31,7 @@ std::string csv_line(const TournamentView& view, std::uint64_t index, const camp
                      match::MetricColumns& metrics) {
   const study::Fixture fixture = view.course.calendar().at(index);
   const auto& teams = view.plan.teams;
-  const std::string opening = view.plan.openings.empty()
-                                  ? std::string()
-                                  : std::filesystem::path(view.plan.openings[fixture.opening].file).stem().string();
+  const std::string opening = scene_of(view, fixture);
   // A match that could not be played has no score.
   const auto goals = [&decided](std::size_t side) {
     return decided.set_aside() ? std::string() : std::to_string(decided.score[side]);

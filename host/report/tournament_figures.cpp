@@ -232,8 +232,8 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
       .description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
                                  view.label(0), view.label(1), GoalDifferences::largest, GoalDifferences::largest)};
   out.csv = "goal_difference,played,forfeited\n";
-  Series won{.name = in_title(view.label(0)) + " wins", .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
-      lost{.name = in_title(view.label(1)) + " wins", .colour = 1, .bar = 0.8},
+  Series won{.name = name_with(view.label(0), " wins"), .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
+      lost{.name = name_with(view.label(1), " wins"), .colour = 1, .bar = 0.8},
       forfeited{.name = "forfeits", .colour = black, .bar = 0.8};
   int widest = 2;
   for (int difference = -GoalDifferences::largest; difference <= GoalDifferences::largest; ++difference) {

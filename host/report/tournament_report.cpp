@@ -15,8 +15,7 @@
 #include "report/page_recordings.hpp"
 #include "report/tournament.hpp"
 #include "report/tournament_figures.hpp"
-#include "report/tournament_page.hpp"
-#include "report/verdict_sentence.hpp"
+#include "report/tournament_outline.hpp"
 #include "study/recording_place.hpp"
 #include "study/tournament.hpp"
 #include "texts/message.hpp"
@@ -52,21 +51,18 @@ class TournamentReport final : public StudyReport {
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
 
-  std::string title() const override { return report::title(view()); }
-  std::string question() const override { return plan_.asked.question; }
   std::vector<std::string> teams() const override {
     std::vector<std::string> out;
     for (const study::Entrant& each : plan_.teams) out.push_back(each.label);
     return out;
   }
-  std::string headline() const override { return texts::plain(verdict_sentence(view()).sentence); }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
+  Outline outline() const override { return tournament_outline(view()); }
+  Outline page_outline(const PageFiles& files) const override;
   std::vector<std::string> notes() const override;
-  std::string standing() const override { return fmt::format("{}\n{}", title(), standing_text(view())); }
+  std::string standing() const override { return fmt::format("{}\n{}", title(view()), standing_text(view())); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
 
-  std::string text() const override { return tournament_text(view()); }
-  std::string json() const override { return tournament_json(view()); }
   std::string incomplete() const override {
     if (course_.complete()) return {};
     return fmt::format("{} of {} matches without a gap: the tournament is not at its end", course_.matches(),
@@ -90,7 +86,6 @@ class TournamentReport final : public StudyReport {
   }
   void end_page() override { record_->end(); }
   std::vector<Figure> figures() const override { return tournament_figures(view(), *record_); }
-  std::string page(PageFrame frame) const override;
 
  private:
   campaign::Job job(std::uint64_t index) const { return study::job(plan_, course_.calendar().at(index)); }
@@ -118,10 +113,10 @@ std::vector<std::string> TournamentReport::notes() const {
 std::string TournamentReport::match(const study::Round& /*round*/, std::uint64_t index,
                                     const campaign::Decided& decided) const {
   const study::Fixture fixture = course_.calendar().at(index);
-  const std::string scene =
-      plan_.openings.empty() ? "" : ", " + fs::path(plan_.openings[fixture.opening].file).stem().string();
-  std::string line = fmt::format("seed {}{}: {} {}:{} {}", fixture.seed, scene, plan_.teams[fixture.home].label,
-                                 decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
+  const std::string scene = scene_of(view(), fixture);
+  std::string line =
+      fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
+                  plan_.teams[fixture.home].label, decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
   if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
   if (decided.failure) {
     const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
@@ -130,25 +125,19 @@ std::string TournamentReport::match(const study::Round& /*round*/, std::uint64_t
   return line;
 }
 
-std::string TournamentReport::page(PageFrame frame) const {
-  const auto link = [&frame](std::uint64_t match) {
-    const fs::path file = study::recording_file(frame.results, static_cast<std::int64_t>(match) + 1);
+Outline TournamentReport::page_outline(const PageFiles& files) const {
+  const auto link = [&files](std::uint64_t match) {
+    const fs::path file = study::recording_file(files.results, static_cast<std::int64_t>(match) + 1);
     const std::string from_page =
-        fs::absolute(file).lexically_relative(fs::absolute(frame.page).parent_path()).generic_string();
-    const std::string shown = study::beside(frame.results, fmt::format("-{}.html", match + 1)).filename().string();
+        fs::absolute(file).lexically_relative(fs::absolute(files.page).parent_path()).generic_string();
+    const std::string shown = study::beside(files.results, fmt::format("-{}.html", match + 1)).filename().string();
     const auto word = [](const std::string& path) { return path.starts_with('-') ? "./" + path : path; };
     return RecordingLink{from_page,
                          process::command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
   };
   const TournamentView view = this->view();
-  return tournament_page({view,
-                          *record_,
-                          std::move(frame.figures),
-                          std::move(frame.documents),
-                          what_was_played(plan_),
-                          {frame.results.filename().string(), frame.program, record_->fingerprint(), {}},
-                          page_recordings(view, *record_, frame.results),
-                          link});
+  const TournamentPage page{*record_, files.documents, page_recordings(view, *record_, files.results), link};
+  return tournament_outline(view, &page);
 }
 
 }  // namespace

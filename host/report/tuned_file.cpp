@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "report/number.hpp"
-#include "report/tuning_problem.hpp"
 #include "study/tuning/tuned_team.hpp"
 #include "texts/message.hpp"
 

@@ -3,8 +3,10 @@
 // no times, no rates.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "report/outline.hpp"
 #include "study/tuning/tuning.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
@@ -21,10 +23,8 @@ struct TuningView {
 std::string tuning_standing(const TuningView& view);
 
 // The whole report; also of a tuning that was stopped.
-std::string tuning_text(const TuningView& view);
-
-// One JSON object with a newline.
-std::string tuning_json(const TuningView& view);
+Outline tuning_outline(const TuningView& view);
+nlohmann::ordered_json tuning_data(const TuningView& view);
 
 // The trace as a table, with a head: a line for each evaluation of the search.
 std::string tuning_csv(const TuningView& view);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t most_points = 1000;  // of the search that are drawn
 constexpr std::size_t most_slices = 40;
 
-// The end of a path says most; an axis has room for so much.
+// Cut to what an axis has room for; the end of a path says most.
 std::string short_path(const std::string& path) {
   constexpr std::size_t most = 31;
   if (path.size() <= most) return path;

@@ -10,7 +10,7 @@
 #include "report/fingerprint.hpp"
 #include "report/study_report.hpp"
 #include "report/tuning.hpp"
-#include "report/tuning_problem.hpp"
+#include "report/tuning_figures.hpp"
 #include "report/tuning_sentences.hpp"
 #include "study/tuning/tuning_study.hpp"
 
@@ -19,7 +19,8 @@ namespace regista::report {
 class TuningReport final : public StudyReport {
  public:
   // out_of_time: of the search; see study/tuning/search_time.hpp.
-  TuningReport(study::TuningPlan plan, study::OutOfTime out_of_time);
+  TuningReport(study::TuningPlan plan, study::OutOfTime out_of_time)
+      : plan_(std::move(plan)), study_(plan_, std::move(out_of_time)) {}
   TuningReport(const TuningReport&) = delete;
   TuningReport& operator=(const TuningReport&) = delete;
 
@@ -28,19 +29,15 @@ class TuningReport final : public StudyReport {
   const study::TuningPlan& plan() const { return plan_; }
   const study::TuningRecord& record() const { return study_.record(); }
   const std::string& fingerprint() const { return fingerprint_.text(); }
-  // Where the tuned team was written to, for text and JSON.
+  // Where the tuned team was written to.
   void tuned_file(std::string file) { tuned_file_ = std::move(file); }
 
-  std::string title() const override { return problem_title(plan_); }
-  std::string question() const override { return plan_.asked.question; }
-  std::string headline() const override { return tuning_verdict(view()).headline; }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
+  Outline outline() const override { return tuning_outline(view()); }
+  Outline page_outline(const PageFiles& files) const override;
   std::vector<std::string> notes() const override;
   std::string standing() const override { return tuning_standing(view()); }
   std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
-
-  std::string text() const override { return tuning_text(view()); }
-  std::string json() const override { return tuning_json(view()); }
   std::string incomplete() const override;
 
   bool is_table_of_matches() const override { return false; }
@@ -54,8 +51,7 @@ class TuningReport final : public StudyReport {
   void take(const study::Round& round, std::uint64_t index, const campaign::Decided* decided) override {
     fingerprint_.take(round.first_row + index, *decided);
   }
-  std::vector<Figure> figures() const override;
-  std::string page(PageFrame frame) const override;
+  std::vector<Figure> figures() const override { return tuning_figures(view()); }
 
  private:
   TuningView view() const { return {plan_, record(), tuned_file_}; }

@@ -2,35 +2,71 @@
 #include "report/tuning_sentences.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
+#include "config/values.hpp"
 #include "report/estimate_text.hpp"
-#include "report/experiment.hpp"
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
-#include "texts/visible.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
 using study::TuningStage;
+using texts::counted;
+
+// " (per match)"
+std::string unit_text(const study::TuningObjective& objective) {
+  const std::string unit = unit_of(objective);
+  return unit.empty() ? unit : fmt::format(" ({})", unit);
+}
+
+bool is_base(const study::TuningPlan& plan, const study::TuningOpponent& opponent) {
+  const auto& inputs = opponent.jobs[0].away_inputs;
+  return !inputs.empty() && inputs == plan.base.jobs[0].away_inputs;
+}
+
+std::string base_sentence(const study::TuningPlan& plan) {
+  const bool one = plan.opponents.size() == 1;
+  std::vector<std::string> opponents;
+  std::string itself;
+  for (const study::TuningOpponent& each : plan.opponents) {
+    opponents.push_back(one ? each.label : fmt::format("{} ({:.4g} %)", each.label, 100.0 * each.weight));
+    if (is_base(plan, each)) itself += fmt::format("; {} is the base team itself", each.label);
+  }
+  return fmt::format("Base team: {}{}{}. {}: {}{}.", plan.asked.team, plan.settings.empty() ? "" : " with ",
+                     fmt::join(plan.settings, ", "), one ? "Opponent" : "Opponents, with their weights",
+                     fmt::join(opponents, ", "), itself);
+}
+
+std::string unit_sentence(const study::TuningPlan& plan) {
+  return fmt::format(
+      "A pair is {}: with the tuned team at home and away{}, all with the same seed{}.",
+      counted(plan.matches_of_pair(), "match", "matches"),
+      plan.opponents.size() == 1 ? std::string() : fmt::format(", against each of {} opponents", plan.opponents.size()),
+      plan.openings.empty() ? std::string(", from kick-off")
+                            : fmt::format(" and opening, of {}", counted(plan.openings.size(), "opening", "openings")));
+}
 
 std::string search_plan_sentence(const study::TuningPlan& plan) {
   std::string out =
       fmt::format("Search: {} ({}), at most {} of {}", name(plan.algorithm()), summary(plan.algorithm()),
-                  counted(plan.evaluations(), "evaluation", "evaluations"), pairs_text(plan.pairs_of_evaluation()));
+                  counted(plan.evaluations(), "evaluation", "evaluations"), pairs_in_words(plan.pairs_of_evaluation()));
   if (plan.asked.search.minutes) out += fmt::format(", and at most {:.6g} min", *plan.asked.search.minutes);
   if (plan.population() > 0) out += fmt::format(", population {}", plan.population());
   return out + fmt::format(", seed {}.", plan.seed());
 }
 
 std::string verification_plan_sentence(const study::TuningPlan& plan) {
-  std::string out = fmt::format("Selection: at most {} on {} that the search did not play. ",
-                                counted(plan.finalists(), "finalist", "finalists"), pairs_text(plan.selection_pairs));
+  std::string out =
+      fmt::format("Selection: at most {} on {} that the search did not play. ",
+                  counted(plan.finalists(), "finalist", "finalists"), pairs_in_words(plan.selection_pairs));
   if (plan.verification_pairs == 0 || plan.candidates() == 0) return out + "Nothing is verified.";
   out += fmt::format(
       "Verification: {} against the base team, {}, on at most {} with held-out seeds; a paired sequential test at "
@@ -38,19 +74,14 @@ std::string verification_plan_sentence(const study::TuningPlan& plan) {
       plan.candidates() == 1 ? std::string("the best of them")
                              : fmt::format("the best of them, at most {},", plan.candidates()),
       plan.head_to_head() ? "playing each other" : "both against the same opponents",
-      pairs_text(plan.verification_pairs), 100.0 * (1.0 - plan.confidence()));
+      pairs_in_words(plan.verification_pairs), 100.0 * (1.0 - plan.confidence()));
   return out + (plan.candidates() > 1 ? ", corrected by Holm." : ".");
-}
-
-std::string interval_words(const study::TuningPlan& plan, std::size_t candidates) {
-  return fmt::format("anytime-valid {:.4g} % interval{}", 100.0 * plan.confidence(),
-                     candidates > 1 ? ", for all candidates together" : "");
 }
 
 std::string numbers_text(const TuningView& view, const CandidateVerdict& each, std::size_t candidates) {
   const study::TuningPlan& plan = view.plan;
   if (each.pairs == 0) return "no pair has both values";
-  std::string out = texts::visible(in_words(plan.objective));
+  std::string out = in_words(plan.objective);
   if (each.value) {
     out += fmt::format(" {}, the base team {}, difference ", with_interval(*each.value), with_interval(*each.base));
   } else {
@@ -58,10 +89,11 @@ std::string numbers_text(const TuningView& view, const CandidateVerdict& each, s
   }
   out += signed_with_interval(each.difference);
   const statistics::Interval& interval = each.difference.interval;
-  out += has_width(interval)  ? fmt::format(" ({})", interval_words(plan, candidates))
+  out += has_width(interval)  ? fmt::format(" (anytime-valid {:.4g} % interval{})", 100.0 * plan.confidence(),
+                                           candidates > 1 ? ", for all candidates together" : "")
          : interval.bounded() ? std::string(" (every pair differs by as much)")
                               : std::string(" (too few pairs for an interval)");
-  out += fmt::format(", {}, {}", pairs_text(static_cast<std::uint64_t>(each.pairs)), p_text(each.p));
+  out += fmt::format(", {}, {}", pairs_in_words(static_cast<std::uint64_t>(each.pairs)), p_text(each.p));
   if (candidates > 1) out += fmt::format(", {} after Holm", p_text(each.adjusted));
   return out;
 }
@@ -75,7 +107,7 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
       return "worse than the base team on held-out seeds";
     case study::VerifiedAs::prevented:
       return over ? fmt::format("no verdict, because {} could not be played",
-                                pairs_text(view.record.verification.of()[each.candidate].unplayed_pairs()))
+                                pairs_in_words(view.record.verification.of()[each.candidate].unplayed_pairs()))
                   : std::string("not decided yet");
     case study::VerifiedAs::undecided:
       break;
@@ -84,7 +116,7 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
     return "not found better, because it forfeited a match of the verification";
   }
   return over ? fmt::format("no difference from the base team was found in {}, which does not show that there is none",
-                            pairs_text(view.record.verification.pairs()))
+                            pairs_in_words(view.record.verification.pairs()))
               : std::string("not decided yet");
 }
 
@@ -103,18 +135,11 @@ std::string optimism_text(const TuningView& view, const CandidateVerdict& each) 
 std::string candidate_sentence(const TuningView& view, const CandidateVerdict& each, std::size_t candidates) {
   std::string out = fmt::format("Finalist {}: {}; {}.", each.finalist + 1, finding_text(view, each),
                                 numbers_text(view, each, candidates));
-  const std::string packets = packets_clause(each.packets, OverspentMark::loud);
+  const std::string packets = packets_clause(each.packets);
   for (const std::string& more : {optimism_text(view, each), packets.empty() ? packets : "It " + packets + '.'}) {
     if (!more.empty()) out += ' ' + more;
   }
   return out;
-}
-
-// Both corrections hold, but that of the intervals is the coarser one.
-std::string several_note(std::size_t candidates) {
-  if (candidates < 2) return {};
-  return "The intervals hold for all candidates together and are wider than the test by Holm needs. So an interval may "
-         "contain 0 although a difference was found.";
 }
 
 bool base_came_first(const TuningView& view) {
@@ -151,39 +176,26 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
   }
   return fmt::format(
       "No difference between the tuned team and the base team was found in {}. This does not show that there is none.",
-      pairs_text(record.verification.pairs()));
+      pairs_in_words(record.verification.pairs()));
 }
 
 }  // namespace
 
-std::string unfinished_sentence(const TuningView& view) {
-  const study::TuningPlan& plan = view.plan;
-  const study::TuningRecord& record = view.record;
-  if (!record.stage) return {};
-  const char* const begin = "Not at its end: ";
-  switch (*record.stage) {
-    case TuningStage::search:
-      return fmt::format("{}search, {} of at most {}.", begin, record.trace.size(),
-                         counted(plan.evaluations(), "evaluation", "evaluations"));
-    case TuningStage::selection:
-      return fmt::format("{}selection of the finalists.", begin);
-    case TuningStage::verification:
-      return fmt::format("{}verification, {} of at most {}.", begin, record.verification.pairs(),
-                         pairs_text(plan.verification_pairs));
-    case TuningStage::slices:
-      return fmt::format("{}slices around what was found.", begin);
-  }
-  return {};
+std::string problem_title(const study::TuningPlan& plan) {
+  return fmt::format("{}: {} of {}, {} as {} as possible", plan.asked.name,
+                     counted(plan.free_parameters(), "parameter", "parameters"),
+                     std::filesystem::path(plan.asked.team).filename().string(), in_words(plan.objective),
+                     plan.objective.minimise ? "small" : "large");
 }
 
-std::vector<std::string> setup_sentences(const TuningView& view) {
-  std::vector<std::string> out = problem_sentences(view.plan);
-  out.push_back(search_plan_sentence(view.plan));
-  out.push_back(verification_plan_sentence(view.plan));
-  return out;
+std::vector<Sentence> setup_sentences(const study::TuningPlan& plan) {
+  return {base_sentence(plan),
+          fmt::format("Objective: {}{}, the {} the better.", in_words(plan.objective), unit_text(plan.objective),
+                      plan.objective.minimise ? "smaller" : "larger"),
+          unit_sentence(plan), search_plan_sentence(plan), verification_plan_sentence(plan)};
 }
 
-std::vector<std::string> search_sentences(const TuningView& view) {
+std::vector<Sentence> search_sentences(const TuningView& view) {
   const study::TuningRecord& record = view.record;
   const study::SearchStep* const best = best_step(record);
   if (best == nullptr) return {};
@@ -192,11 +204,11 @@ std::vector<std::string> search_sentences(const TuningView& view) {
   };
   const std::uint64_t failed = static_cast<std::uint64_t>(
       std::ranges::count_if(record.trace, [](const auto& each) { return each.played.failed; }));
-  std::vector<std::string> out{fmt::format("The search {} {} and {}{}.",
-                                           record.ended.empty() ? "has come to" : "ended after",
-                                           counted(record.trace.size(), "evaluation", "evaluations"),
-                                           counted(record.trace.back().matches, "match", "matches"),
-                                           record.ended.empty() ? std::string() : ": " + texts::visible(record.ended))};
+  std::vector<Sentence> out{fmt::format("The search {} {} and {}{}.",
+                                        record.ended.empty() ? "has come to" : "ended after",
+                                        counted(record.trace.size(), "evaluation", "evaluations"),
+                                        counted(record.trace.back().matches, "match", "matches"),
+                                        record.ended.empty() ? std::string() : ": " + record.ended)};
   if (best->evaluation == 1) {
     out.push_back(fmt::format("No evaluation had a better value than the base team's, {}.", value(*best)));
   } else {
@@ -220,11 +232,15 @@ TuningVerdict tuning_verdict(const TuningView& view) {
   }
   if (base_came_first(view)) {
     out.beside.push_back(fmt::format(
-        "On the {} of the selection the base team came first, with {}.", pairs_text(view.plan.selection_pairs),
+        "On the {} of the selection the base team came first, with {}.", pairs_in_words(view.plan.selection_pairs),
         with_interval(of_objective(view.plan.objective, view.record.finalists.front().selected.score))));
   }
   if (view.record.tally.unplayed_pairs > 0) out.beside.push_back(unplayed_sentence(view.record.tally.unplayed_pairs));
-  if (const std::string note = several_note(candidates.size()); !note.empty()) out.beside.push_back(note);
+  // Both corrections hold, but that of the intervals is the coarser one.
+  if (candidates.size() > 1)
+    out.beside.push_back(
+        "The intervals hold for all candidates together and are wider than the test by Holm needs. So an interval may "
+        "contain 0 although a difference was found.");
   return out;
 }
 
@@ -242,26 +258,13 @@ const char* name(study::VerifiedAs finding) {
   return "undecided";
 }
 
-std::string end_text(RangeEnd end) {
-  return end == RangeEnd::none    ? std::string()
-         : end == RangeEnd::lower ? std::string("at the lower end")
-                                  : std::string("at the upper end");
-}
-
 bool more_than_chance(const study::Slice& slice) {
   return slice.importance > 0.0 && slice.p && *slice.p <= significance_level;
 }
 
-std::string importance_value(const study::Slice& slice) { return slice.p ? rounded(slice.importance, 0.0) : "-"; }
-
 std::string importance_text(const study::Slice& slice) {
   if (!slice.p) return "too few pairs";
   return fmt::format("{}{}", p_text(*slice.p), more_than_chance(slice) ? "" : ": no more than chance");
-}
-
-std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist) {
-  if (!finalist.seen) return "not played";
-  return finalist.seen->failed ? "forfeited" : with_interval(of_objective(plan.objective, finalist.seen->score));
 }
 
 std::string slices_note(const TuningView& view) {
@@ -270,8 +273,51 @@ std::string slices_note(const TuningView& view) {
       "Each parameter varied alone around finalist {}, on {} of other seeds. Importance: standard deviation of the "
       "objective{} over the parameter's range, less the part that chance explains. p: of the hypothesis that the "
       "parameter has no effect, for each parameter alone.",
-      slice_centre(view.record).value_or(0) + 1, pairs_text(view.plan.slice_pairs()),
-      unit_of(view.plan.objective).empty() ? std::string() : fmt::format(" ({})", unit_of(view.plan.objective)));
+      slice_centre(view.record).value_or(0) + 1, pairs_in_words(view.plan.slice_pairs()),
+      unit_text(view.plan.objective));
+}
+
+bool has_unit(const study::Parameter& parameter) { return !parameter.unit.empty() && parameter.unit != "1"; }
+
+std::string range_text(const study::Parameter& parameter) {
+  const std::string unit = has_unit(parameter) ? ' ' + parameter.unit : "";
+  if (parameter.fixed()) return fmt::format("fixed at {}{}", text_of(parameter, parameter.least), unit);
+  return fmt::format("{} to {}{}", text_of(parameter, parameter.least), text_of(parameter, parameter.most), unit);
+}
+
+ForfeitWords forfeit_words(const study::TuningPlan& plan) {
+  return {[&plan](std::size_t team) -> std::string {
+            if (team == 0) return "the team that is tuned";  // with whatever values, those of the base team among them
+            return team <= plan.opponents.size() ? plan.opponents[team - 1].label : "the base team";
+          },
+          {},
+          "A forfeit of the tuned team counts against it; in the search it has the worst value. Pairs that another "
+          "team forfeited are left out."};
+}
+
+WhatWasPlayed what_was_played(const study::TuningPlan& plan) {
+  std::vector<campaign::Input> openings;
+  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
+  const campaign::Job& first = plan.opponents.front().jobs[0];
+  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, openings);
+  out.teams.push_back(played_team("the team that is tuned", plan.asked.team, first.home_inputs,
+                                  profile_of(first.common_inputs, "home disturbance", plan.asked.disturbance)));
+  out.teams.back().set = plan.settings;
+  for (const study::TuningOpponent& each : plan.opponents) {
+    const campaign::Job& job = each.jobs[0];
+    out.teams.push_back(
+        played_team(each.label, each.file, job.away_inputs,
+                    profile_of(job.common_inputs, "away disturbance", plan.asked.opponent_disturbance)));
+  }
+  for (const config::Override& each : study::settings_of(plan, false)) {
+    const std::string text = to_string(each);
+    if (std::ranges::find(plan.settings, text) == plan.settings.end()) out.set.push_back(text);
+  }
+  out.amount = fmt::format("{} matches at most, {} of them for the search, seed {}", most_matches(plan),
+                           most_matches(plan, TuningStage::search), plan.seed());
+  out.may_end_by_the_clock = plan.asked.search.minutes.has_value();
+  complete(out, plan);
+  return out;
 }
 
 }  // namespace regista::report

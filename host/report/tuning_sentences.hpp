@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: MIT
-// What a tuning is, and what came of it, in sentences for a terminal and for a page. They say "better" only of what was
-// found better on held-out seeds, and never that there is no difference.
+// What a tuning is, and what came of it, in words. They say "better" only of what was found better on held-out seeds,
+// and never that there is no difference.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "report/match_remarks.hpp"
 #include "report/tuning.hpp"
 #include "report/tuning_numbers.hpp"
-#include "report/tuning_problem.hpp"
 
 namespace regista::report {
 
-// "Not at its end: ..."; empty where all is done.
-std::string unfinished_sentence(const TuningView& view);
+WhatWasPlayed what_was_played(const study::TuningPlan& plan);
+ForfeitWords forfeit_words(const study::TuningPlan& plan);  // the plan outlives them
+
+// "weights: 3 parameters of paper.yaml, goal_difference as large as possible"
+std::string problem_title(const study::TuningPlan& plan);
 
 // What was asked for, by what, with which budget.
-std::vector<std::string> setup_sentences(const TuningView& view);
+std::vector<Sentence> setup_sentences(const study::TuningPlan& plan);
 
 // How the search went: its end, what it thought best, and why that is too good.
-std::vector<std::string> search_sentences(const TuningView& view);
+std::vector<Sentence> search_sentences(const TuningView& view);
 
 struct TuningVerdict {
   std::string headline;
@@ -28,12 +31,11 @@ struct TuningVerdict {
 TuningVerdict tuning_verdict(const TuningView& view);
 
 // A table's words.
-const char* name(study::VerifiedAs finding);              // "undecided"
-std::string end_text(RangeEnd end);                       // empty inside
-std::string importance_value(const study::Slice& slice);  // "0.64", "-" where unknown
-std::string importance_text(const study::Slice& slice);   // "no more than chance"
+const char* name(study::VerifiedAs finding);                // "undecided"
+bool has_unit(const study::Parameter& parameter);           // not a bare number, whose unit is "1"
+std::string range_text(const study::Parameter& parameter);  // "0.1 to 10 m"
+std::string importance_text(const study::Slice& slice);     // "no more than chance"
 bool more_than_chance(const study::Slice& slice);
-std::string seen_text(const study::TuningPlan& plan, const study::Finalist& finalist);  // "not played"
 std::string slices_note(const TuningView& view);
 
 }  // namespace regista::report

@@ -13,9 +13,7 @@
 #include "config/scalar.hpp"
 #include "config/values.hpp"
 #include "process/program.hpp"
-#include "report/html_table.hpp"
-#include "report/page_parts.hpp"
-#include "report/text_table.hpp"
+#include "report/outline.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 #include "texts/visible.hpp"
@@ -25,10 +23,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string in_words(const PlayedProfile& profile) {
+Sentence in_words(const PlayedProfile& profile) {
   if (profile.name.empty() && profile.file.empty()) return "not known";
-  return texts::visible(profile.name) +
-         (profile.file.empty() ? " (built in)" : fmt::format(" ({})", texts::visible(profile.file)));
+  Sentence out = named(profile.name);
+  return profile.file.empty() ? out << " (built in)" : out << " (" << path(profile.file) << ")";
 }
 
 std::string games_of(const config::MatchSettings& settings, std::size_t scenes) {
@@ -55,20 +53,18 @@ std::string program_of(const WhatWasPlayed& played) {
 }
 
 // What is said of all matches, a line each.
-std::vector<std::string> lines_of(const WhatWasPlayed& played) {
-  std::vector<std::string> out{fmt::format("rules {}, robot {}", in_words(played.rules), in_words(played.robot))};
-  if (!played.set.empty()) out.push_back("set " + texts::visible(fmt::format("{}", fmt::join(played.set, ", "))));
+std::vector<Sentence> lines_of(const WhatWasPlayed& played) {
+  std::vector<Sentence> out{Sentence("rules ") << in_words(played.rules) << ", robot " << in_words(played.robot)};
+  if (!played.set.empty()) out.push_back(fmt::format("set {}", fmt::join(played.set, ", ")));
   out.push_back(fmt::format("{}; {}", played.games, played.amount));
-  if (!played.plugins.empty())
-    out.push_back(texts::visible(fmt::format("plugins of {} first", fmt::join(played.plugins, ", "))));
+  if (!played.plugins.empty()) out.push_back(fmt::format("plugins of {} first", fmt::join(played.plugins, ", ")));
   out.push_back(program_of(played) + (played.limits.empty() ? "" : "; " + played.limits));
   return out;
 }
 
-std::string remarks_on(const PlayedTeam& team) {
-  std::string out = "disturbance " + in_words(team.disturbance);
-  if (!team.set.empty()) out += ", set " + texts::visible(fmt::format("{}", fmt::join(team.set, ", ")));
-  return out;
+Sentence remarks_on(const PlayedTeam& team) {
+  Sentence out = in_words(team.disturbance);
+  return team.set.empty() ? out : out << ", set " << code(fmt::format("{}", fmt::join(team.set, ", ")));
 }
 
 Json json_of(const PlayedProfile& profile) {
@@ -135,18 +131,26 @@ std::vector<std::string> not_as_before(const config::MatchSettings& settings, co
   return out;
 }
 
-std::string played_text(const WhatWasPlayed& played) {
+Section played_section(const WhatWasPlayed& played) {
   constexpr std::size_t most = 20;  // teams, in a terminal
-  std::string out = "Played:\n";
-  for (std::size_t i = 0; i < std::min(played.teams.size(), most); ++i) {
+  Section out("played", "What was played");
+  Table teams{{{"Team", Column::words},
+               {"File", Column::words},
+               {"Version", Column::words},
+               {"Disturbance, and what is set for it alone", Column::words}}};
+  teams.look = Table::Look::values;
+  for (std::size_t i = 0; i < played.teams.size(); ++i) {
     const PlayedTeam& each = played.teams[i];
-    out += fmt::format("  {} ({}, version {}), {}\n", texts::visible(each.name), texts::visible(each.file),
-                       each.version, remarks_on(each));
+    teams.row({named(each.name), path(each.file), code(each.version), remarks_on(each)},
+              i < most ? Readers::all : Readers::page);
   }
+  out.table(std::move(teams));
   if (played.teams.size() > most)
-    out += fmt::format("  and {} more: --json, or the page\n",
-                       texts::counted(played.teams.size() - most, "team", "teams"));
-  for (const std::string& each : lines_of(played)) out += fmt::format("  {}\n", each);
+    out.line(
+        fmt::format("and {} more: --json, or the page", texts::counted(played.teams.size() - most, "team", "teams")),
+        Readers::terminal);
+  out.list(lines_of(played));
+  out.listing("The study's document, with every value that is in force", played.document);
   return out;
 }
 
@@ -176,39 +180,35 @@ Json played_json(const WhatWasPlayed& played) {
                                                : config::to_json(config::parse_text(played.document, "its document"))}};
 }
 
-Html played_section(const WhatWasPlayed& played) {
-  HtmlTable teams({{"Team"_html, Column::words},
-                   {"File"_html, Column::words},
-                   {"Version"_html, Column::words},
-                   {"Disturbance, and what is set for it alone"_html, Column::words}});
-  for (const PlayedTeam& each : played.teams)
-    teams.row({name(each.name), path_code(each.file), code(each.version), text(remarks_on(each))});
-  Html out = "<div class=\"values\">"_html;
-  out << teams.html() << "</div>\n<ul>\n"_html;
-  for (const std::string& each : lines_of(played)) out << "<li>"_html << text(each) << "</li>\n"_html;
-  out << "</ul>\n<details><summary>The study's document, with every value that is in force</summary>\n"_html
-      << block(played.document) << "</details>\n"_html;
-  return section("played", "What was played"_html, out);
-}
-
-Html again_section(const WhatWasPlayed& played, const PlayedResults& results) {
+Section again_section(const WhatWasPlayed& played, const std::string& results, const std::string& fingerprint) {
   std::vector<std::string> run{"run", "study.yaml"};
   for (const std::string& each : played.plugins)
     run.insert(run.end(), {"--plugins", (std::filesystem::path(played.folder) / each).lexically_normal().string()});
-  const std::string commands =
-      process::command_line(std::vector<std::string>{"report", results.file, "--study", "again"}) + "\ncd again\n" +
-      process::command_line(run);
-  Html out = "<p>In the folder of the results:</p>\n"_html;
-  out << block(commands)
-      << "<p class=\"note\">The first command writes the study with its teams, profiles and scenes; the last one says before the first match what is not as it was. It was begun in the folder "_html
-      << code(played.folder) << " with Regista "_html << text(results.program)
-      << ". Fingerprint of all matches (the same matches have the same one): "_html
-      << code(results.fingerprint.empty() ? "–" : results.fingerprint) << "</p>\n"_html;
-  if (!results.note.empty()) out << "<p class=\"note\">"_html << text(results.note) << "</p>\n"_html;
+  Section out("reproduction", "Playing it again");
+  out.line("In the folder of the results:");
+  out.items.push_back({Listing{{},
+                               process::command_line(std::vector<std::string>{"report", results, "--study", "again"}) +
+                                   "\ncd again\n" + process::command_line(run),
+                               true}});
+  out.note(
+      Sentence("The first command writes the study with its teams, profiles and scenes; the last one says before the "
+               "first match what is not as it was. It was begun in the folder ")
+      << code(played.folder) << (played.program.empty() ? "" : " with Regista " + played.program)
+      << ". Fingerprint of all matches (the same matches have the same one): "
+      << code(fingerprint.empty() ? "–" : fingerprint));
+  if (played.may_end_by_the_clock)
+    out.note(
+        "The search had a limit of wall time. If that limit ended it, another machine may end it at another "
+        "evaluation.");
   std::vector<campaign::Input> inputs = played.inputs;
   for (const PlayedTeam& each : played.teams) inputs.insert(inputs.end(), each.inputs.begin(), each.inputs.end());
-  out << "<details><summary>Hashes of all inputs</summary>\n"_html << hashes_table(inputs) << "</details>\n"_html;
-  return section("reproduction", "Playing it again"_html, out);
+  Table hashes{{{"Input", Column::words}, {"Hash of its content", Column::words}}};
+  for (auto input = inputs.begin(); input != inputs.end(); ++input) {
+    if (std::find(inputs.begin(), input, *input) == input) hashes.row({input->name, code(input->hash)});
+  }
+  hashes.summary = "Hashes of all inputs";
+  out.table(std::move(hashes));
+  return out;
 }
 
 }  // namespace regista::report

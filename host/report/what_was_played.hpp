@@ -13,9 +13,10 @@
 #include "campaign/input.hpp"
 #include "config/match_settings.hpp"
 #include "config/values.hpp"
-#include "report/html.hpp"
 
 namespace regista::report {
+
+struct Section;
 
 // A document that was played by. file: empty where it is built in.
 struct PlayedProfile {
@@ -43,6 +44,7 @@ struct WhatWasPlayed {
   std::vector<campaign::Input> inputs;  // everything, each once
   std::string document;                 // of the study, every value that is in force; of a match none
   std::vector<std::string> changed;     // what is another than its document says it was played with before, a line each
+  bool may_end_by_the_clock = false;    // so another machine may play other matches
 };
 
 // All that does not depend on which study it is. common: inputs that all matches have; openings: of each scene.
@@ -71,17 +73,9 @@ void complete(WhatWasPlayed& played, const Plan& plan) {
   played.changed = not_as_before(plan.asked.settings, played);
 }
 
-std::string played_text(const WhatWasPlayed& played);  // lines, each ended
 nlohmann::ordered_json played_json(const WhatWasPlayed& played);
-Html played_section(const WhatWasPlayed& played);
-
-// What playing it again needs besides.
-struct PlayedResults {
-  std::string file;         // of results, as seen from the page
-  std::string program;      // version that began it
-  std::string fingerprint;  // of all matches; empty: none
-  std::string note;         // one more sentence; may be empty
-};
-Html again_section(const WhatWasPlayed& played, const PlayedResults& results);
+Section played_section(const WhatWasPlayed& played);
+// How it is played once more. results: file, as seen from the page; fingerprint: of all matches.
+Section again_section(const WhatWasPlayed& played, const std::string& results, const std::string& fingerprint);
 
 }  // namespace regista::report

@@ -66,33 +66,9 @@ Html& Html::operator<<(const Html& other) {
   return *this;
 }
 
-std::string plain(const Html& html) {
-  std::string out;
-  std::string_view rest = html.str();
-  while (!rest.empty()) {
-    const auto entity =
-        std::ranges::find_if(entities, [&](const Entity& each) { return rest.starts_with(each.written); });
-    if (rest.front() == '<') {
-      rest.remove_prefix(std::min(rest.size(), rest.find('>') + 1));
-    } else if (entity != entities.end()) {
-      out += entity->meant;
-      rest.remove_prefix(entity->written.size());
-    } else {
-      out += rest.front();
-      rest.remove_prefix(1);
-    }
-  }
-  return out;
-}
-
 // Escaped a line above, so it is no markup any more.
 Html text(std::string_view text) { return Html::made_by_us(escaped(visible(text))); }
 Html lines(std::string_view text) { return Html::made_by_us(escaped(visible_lines(text))); }
-
-Html name(std::string_view name) {
-  Html out = "<bdi>"_html;
-  return out << text(name) << "</bdi>"_html;
-}
 
 Html data_address(std::string_view media_type, std::string_view bytes) {
   return text(fmt::format("data:{};charset=utf-8,{}", media_type, in_address(bytes, ",;:/=+@!()")));

@@ -38,17 +38,10 @@ class Html {
   std::string text_;
 };
 
-// What a reader sees of it, for a terminal: without tags, with characters for entities.
-std::string plain(const Html& html);
-
 // Text from anywhere, as a reader may see it (visible.hpp), for content and for values of attributes in double
 // quotes.
 Html text(std::string_view text);
 Html lines(std::string_view text);  // ends of lines stay, for <pre>
-
-// A name that somebody gave to something, set apart so that its direction of writing does not move what stands around
-// it (<bdi>).
-Html name(std::string_view name);
 
 // The text as an address in double quotes: "data:" and its media type, or a path relative to the page.
 Html data_address(std::string_view media_type, std::string_view bytes);

@@ -60,7 +60,7 @@ class Match(program.Case):
         result = self.play()
         page = self.succeed(*SHORT)
         score = result["score"]
-        self.assertTrue(page.startswith("Played:\n"), page)
+        self.assertTrue(page.startswith("What was played\n"), page)
         self.assertIn(f"\nsmall {score[0]} : {score[1]} small\n", page)
         self.assertIn("at the time limit, after 30.0 s\n", page)
         self.assertRegex(page, r"(?m)^seed +1$")

@@ -154,7 +154,7 @@ class Pages(tournament.Tournament):
             done = self.run_program(*self.arguments("--quiet", "--resume", pairs=2))
             self.assertEqual((done.returncode, done.stderr), (
                 0, "regista: no page is written: tournament.html is none of Regista's pages, and stays\n"))
-            self.assertIn("Results of small vs other", done.stdout)
+            self.assertIn("Tournament: small vs other", done.stdout)
             self.assertEqual((self.folder / "tournament.html").read_text(), other)
         for make in (os.mkdir, os.mkfifo):
             (self.folder / "tournament.html").unlink()

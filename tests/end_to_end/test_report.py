@@ -107,7 +107,14 @@ class Report(tournament.Tournament):
             self.assertGreater(mean, 10)
             self.assertEqual(teams[name], {"per_match": mean, "share": 10, "overspent": True})
             self.assertIn(f"\n{name} spent {mean:.4g} packets per match; the share of the budget for this length is 10: "
-                          "OVERSPENT\n", told)
+                          "OVERSPENT.\n", told)
+
+    def test_the_program_of_a_plan_that_does_not_name_it(self):
+        self.play(pairs=1)
+        told = self.succeed("report", "tournament.db")
+        self.assertRegex(told, r"\n  Regista \d+\.\d+\.\d+, program ")
+        self.change("UPDATE meta SET value = json_remove(value, '$.program') WHERE name = 'schedule'")
+        self.assertEqual(self.succeed("report", "tournament.db"), told)
 
     def test_a_budget_that_is_the_share_is_not_overspent(self):
         told = self.play("--set", "rules.messages.short_games=share", pairs=1)

@@ -128,7 +128,7 @@ class Matches(tournament.Tournament):
     def test_the_report_in_words(self):
         text = self.play(pairs=4)
         report = self.only("--resume", pairs=4)
-        self.assertTrue(text.startswith("Results of small vs other (4 pairs, seeds from 1, 2 openings):\n"), text)
+        self.assertTrue(text.startswith("Tournament: small vs other (4 pairs, seeds from 1, 2 openings)\n"), text)
         self.assertIn(f"Games: 8, Wins: {report['wins']}, Losses: {report['losses']}, Draws: {report['draws']}, ", text)
         self.assertIn(f"Ptnml(0-2): {report['pentanomial']}\n", text)
         self.assertIn(f"Goals: {report['goals'][0]}:{report['goals'][1]}, per match ", text)
@@ -196,8 +196,9 @@ set: {a.utility.terms.near.params.scale: 3}
         self.write("night.yaml", self.PAGE)
         self.play("--seed", "7", "--set", "a.utility.terms.near.params.scale=3")
         by_document = self.succeed("tournament", "night.yaml", "--quiet", "--no-page")
-        title, _, rest = by_document.partition("\n")
-        self.assertEqual((title, rest), ("night: Which of them is better?", self.succeed("report", "tournament.db")))
+        title, question, rest = by_document.split("\n", 2)
+        self.assertEqual(question, "night: Which of them is better?")
+        self.assertEqual(f"{title}\n{rest}", self.succeed("report", "tournament.db"))
         # So do options that are laid over another document, each in the place of what that says.
         self.write("other_night.yaml", self.PAGE.replace("seed: 7", "seed: 9").replace("pairs: 3", "pairs: 5")
                    .replace("openings: scenes", "openings: scenes/left.yaml"))
@@ -392,14 +393,14 @@ class Interruption(tournament.Tournament):
             process.send_signal(signal.SIGHUP)
             out, err = process.communicate(timeout=60)
         self.assertEqual(process.returncode, 0, err)
-        self.assertIn("Results of small vs other", out)
+        self.assertIn("Tournament: small vs other", out)
 
     def test_a_report_is_not_lost_with_standard_error(self):
         with open("/dev/full", "w") as full:
             done = subprocess.run([str(self.program), *map(str, self.arguments())], cwd=self.folder, text=True,
                                   stdout=subprocess.PIPE, stderr=full)
         self.assertEqual(done.returncode, 0)
-        self.assertIn("Results of small vs other", done.stdout)
+        self.assertIn("Tournament: small vs other", done.stdout)
 
     def test_ctrl_c_says_how_to_go_on(self):
         arguments = self.arguments("--workers", "2", pairs=400)

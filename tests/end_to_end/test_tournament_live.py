@@ -37,7 +37,7 @@ class Live(tournament.Tournament):
         return blocks, screen
 
     def test_a_block_rewritten_in_place_and_gone_at_the_end(self):
-        pairs = 12 if program.SANITIZED else 24
+        pairs = 12 if program.SANITIZED else 40
         text, out = self.shown(pairs=pairs)
         blocks, screen = self.played_back(text, 80)
         self.assertEqual(blocks.pop(0), [f"0 of {2 * pairs} matches, the first is being played"])
@@ -72,7 +72,7 @@ class Live(tournament.Tournament):
         for block in blocks:  # so few matches tell no margin, which is said once
             rows = [line for line in block if not line.startswith("No margin: ")]
             self.assertGreaterEqual(len(rows), len(block) - 1)
-            self.assertTrue(rows[1].startswith("rank  team") and len(rows) == 6, blocks)
+            self.assertTrue(rows[1].startswith("Rank  Team") and len(rows) == 6, blocks)
 
     def test_nothing_when_quiet_and_plain_lines_when_the_terminal_cannot(self):
         self.assertEqual(self.shown("--quiet", pairs=1)[0], "")

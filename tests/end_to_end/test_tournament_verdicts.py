@@ -36,8 +36,10 @@ class Verdicts(tournament.Tournament):
         pairs = sum(pairing["pentanomial"])
         self.assertLess(pairs, 60)
         self.assertEqual(report["matches"], 2 * pairs)
-        self.assertIn(f"Verdict after {pairs} pairs: H1: the scores speak for a strength of 200 rather than 0 nElo\n", words)
-        self.assertIn(f"Results of small vs worse ({pairs} pairs of 200, seeds from 1, 2 openings):\n", words)
+        self.assertTrue(words.startswith(f"Tournament: small vs worse ({pairs} pairs of 200, seeds from 1, 2 openings)\n"))
+        self.assertIn(f"\nsmall is stronger than worse.", words)
+        self.assertIn(f"\nAfter {pairs} pairs of matches small has ", words)
+        self.assertIn("\nThe test accepted H1: the scores speak for a strength of 200 rather than 0 nElo; error rates ", words)
         test = pairing["sprt"]
         self.assertGreaterEqual(test["llr"], test["llr_stopping"][1])
         # Another command comes to the same numbers from the same counts.
@@ -53,14 +55,14 @@ class Verdicts(tournament.Tournament):
         self.assertAlmostEqual(report["sprt"]["llr_bounds"][0], math.log(0.2 / 0.9))
         self.assertAlmostEqual(report["sprt"]["llr_bounds"][1], math.log(0.8 / 0.1))
         text = self.play("--sprt", "0,20", "--results", "short.db", teams=teams, pairs=2)
-        self.assertIn("Verdict after 2 pairs: INCONCLUSIVE\n", text)
+        self.assertIn("\nThe test ended without a verdict on worse and small.", text)
 
     def test_a_test_on_goals(self):
         words, report = self.same_for_any_number_of_workers("--metric", "goals", teams=WORSE, pairs=200)
         self.assertEqual(report["verdict"], "H1")
         pairs = sum(report["pairings"][0]["pentanomial"])
         self.assertLess(pairs, 60)
-        self.assertIn(f"Verdict after {pairs} pairs: H1: small scores more goals than worse\n", words)
+        self.assertIn(f"\nsmall scores more goals than worse.\nAfter {pairs} pairs of matches ", words)
         self.assertGreater(report["pairings"][0]["goals_per_match"]["confidence_sequence"][0], -0.01)
 
     def test_a_test_on_a_metric_of_a_role(self):
@@ -147,7 +149,7 @@ class Formats(tournament.Tournament):
         elos = [rank["elo"] for rank in report["ranking"]]
         self.assertEqual(elos, sorted(elos, reverse=True))
         text = self.play("--resume", teams=THREE, pairs=6)
-        self.assertTrue(text.startswith("Results of 3 teams, round robin (6 pairs each, seeds from 1, 2 openings):\n"))
+        self.assertTrue(text.startswith("Tournament: 3 teams, round robin (6 pairs each, seeds from 1, 2 openings)\n"))
         self.assertEqual(self.play("--results", "four.db", "--workers", "4", teams=THREE, pairs=6), text)
         self.assertEqual(self.rows("four.db"), self.rows())
 

@@ -41,9 +41,8 @@ class Again(tournament.Tournament):
                                  "pairs: 1\nlimit: 10\nset: {b.utility.terms.near.params.scale: 2, rules.durations.set: 3}\n"
                                  "isolation: always\n")
         text = self.succeed("tournament", "night.yaml", "--quiet")
-        self.assertRegex(text, r"\n  small \(a\) \(small\.yaml, version \w{8}\), disturbance none \(built in\)\n"
-                               r"  small \(b\) \(small\.yaml, version \w{8}\), disturbance wind \(wind\.yaml\), set "
-                               r"utility\.terms\.near\.params\.scale=2\n")
+        self.assertRegex(text, r"\nsmall \(a\)  small\.yaml  \w{8}  none \(built in\)\n"
+                               r"small \(b\)  small\.yaml  \w{8}  wind \(wind\.yaml\), set utility\.terms\.near\.params\.scale=2\n")
         self.assertIn("\n  set rules.durations.set=3\n", text)
         played = json.loads(self.succeed("report", "night.db", "--json"))["played"]
         self.assertEqual([each["disturbance"] for each in played["teams"]],

@@ -369,7 +369,7 @@ class Centralised(Zoo):
             document.write("allow_shared_memory: true\n")
         shared = self.run_it(*words, "--results", "shared.db").stdout
         self.assertNotIn("decide alone", shared)
-        self.assertRegex(shared, r"\nRobots of a team may share memory here: .*\n$")
+        self.assertRegex(shared, r"\nRobots of a team may share memory here: .*\n")
         self.assertEqual(self.decided("shared.db"), self.decided("alone.db"))
 
 

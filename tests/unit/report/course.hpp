@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "campaign/metric_json.hpp"
-#include "report/tournament.hpp"
+#include "report/tournament_outline.hpp"
 #include "study/tournament.hpp"
 #include "unit/study/tournament_fixture.hpp"
 
@@ -79,12 +79,20 @@ struct Course {
   std::optional<study::Tournament> tournament;
 };
 
+inline std::string tournament_text(const TournamentView& view) { return outline_text(tournament_outline(view)); }
+inline std::string tournament_json(const TournamentView& view) { return outline_json(tournament_outline(view)); }
+inline std::string tournament_page(const TournamentView& view, const TournamentPage& page,
+                                   const std::vector<Figure>& figures = {}) {
+  return outline_page(tournament_outline(view, &page), "night.db", figures);
+}
+inline std::string tournament_page(const TournamentView& view, const CourseRecord& record) {
+  return tournament_page(view, TournamentPage{record, {}, {}, {}});
+}
+
 // A report without what was played.
 inline std::string without_played(std::string text) {
-  const std::size_t begin = text.find("Played:\n");
-  std::size_t end = text.find('\n', begin) + 1;
-  while (text.compare(end, 2, "  ") == 0) end = text.find('\n', end) + 1;
-  return text.erase(begin, end - begin);
+  const std::size_t begin = text.find("\nWhat was played\n");
+  return text.erase(begin, text.find("\n\n", begin) + 1 - begin);
 }
 
 inline study::ScoreTest sprt(double elo0, double elo1, statistics::Model model = statistics::Model::normalized) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "report/experiment.hpp"
+#include "report/outline.hpp"
 #include "unit/study/experiment_fixture.hpp"
 
 namespace regista::report {
@@ -24,14 +25,20 @@ struct Told {
   std::vector<std::string> findings, notes;
 };
 
-Told told(const ExperimentPlan& plan, const Overlap& overlap) {
+template <class Say>
+auto of_course(const ExperimentPlan& plan, const Overlap& overlap, const Say& say) {
   study::Experiment course(plan);
   for (std::uint64_t index = 0; index < plan.matches(); ++index) {
     const study::Trial each = trial(plan, index);
     course.take(study::played(each.side, overlap(each.condition, each.pair), 1, 0, 0));
   }
-  const ExperimentView view{plan, course, [](std::uint64_t) { return std::string(); }};
-  return {finding_sentences(view), experiment_notes(view)};
+  return say(ExperimentView{plan, course, [](std::uint64_t) { return std::string(); }});
+}
+
+Told told(const ExperimentPlan& plan, const Overlap& overlap) {
+  return of_course(plan, overlap, [](const ExperimentView& view) {
+    return Told{finding_sentences(view), experiment_notes(view)};
+  });
 }
 
 double spread(std::size_t condition, std::uint64_t pair) {
@@ -39,6 +46,8 @@ double spread(std::size_t condition, std::uint64_t pair) {
 }
 
 double constant(std::size_t condition, std::uint64_t) { return condition == 0 ? 10.0 : 30.0; }
+
+Outline outline(const ExperimentPlan& plan) { return of_course(plan, spread, experiment_outline); }
 
 TEST(ExperimentSentences, AnIntervalIsSaidToHoldByItself) {
   EXPECT_THAT(told(study::experiment_of(2, 1, 8), spread).findings,
@@ -78,6 +87,30 @@ TEST(ExperimentSentences, NotesTellOfPlayingOfTheOpponentAndOfSeveralIntervals) 
   plan.asked.arms[0].set = config::Node::map({set("rulesome.plugin", "x"), set("robot", "nao")}, {});
   plan.asked.arms[1].set = config::Node::map({set("robot.walk.forward", "0.2")}, {});
   EXPECT_THAT(told(plan, spread).notes, Contains(HasSubstr("at all values of robot, robot.walk.forward.")));
+}
+
+TEST(ExperimentSentences, ATerminalShowsDifferencesOfTeamsAndThePrimaryOneAPageAll) {
+  ExperimentPlan plan = study::experiment_of(2, 1, 8);
+  plan.asked.question = "Which?";
+  plan.measures.emplace_back("keeper.overlap_seconds");
+  const Outline shown = outline(plan);
+  const std::string text = outline_text(shown);
+  EXPECT_THAT(text, AllOf(testing::StartsWith("Experiment: trial: 2 arms against opponent, 16 matches each\nWhich?\n"),
+                          HasSubstr("\nstriker.overlap_seconds, min per 60 min   2.00  1.18 +/- 0.13\n"),
+                          testing::EndsWith("\n\n" + plain(shown.headline) + "\n")));
+  const std::string differences = text.substr(text.find("\nDifferences\n"));
+  EXPECT_THAT(differences, AllOf(HasSubstr("\nstriker.overlap_seconds, "), HasSubstr("\npackets "),
+                                 HasSubstr("single roles: --json, or the page"), Not(HasSubstr("keeper."))));
+  const std::string page = outline_page(shown, "results.db", {});
+  EXPECT_THAT(page.substr(page.find("<section id=\"differences\"")), HasSubstr("keeper.<wbr>overlap_<wbr>seconds"));
+  EXPECT_THAT(page, Not(HasSubstr("<section id=\"figures\"")));  // none was drawn
+}
+
+// Its tables would be long.
+TEST(ExperimentSentences, ATerminalShowsNoTableOfDifferencesOfASweep) {
+  const Outline shown = outline(study::experiment_of(2, 2, 8));
+  EXPECT_THAT(outline_text(shown), AllOf(HasSubstr("\nMeans\n"), Not(HasSubstr("\nDifferences\n"))));
+  EXPECT_THAT(outline_page(shown, "results.db", {}), HasSubstr("<section id=\"differences\""));
 }
 
 }  // namespace

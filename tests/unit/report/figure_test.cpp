@@ -12,7 +12,12 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
+
+#include "course.hpp"
+#include "report/course_record.hpp"
+#include "report/tournament_figures.hpp"
 
 namespace regista::report {
 namespace {
@@ -115,8 +120,8 @@ struct Place {
   double at, value;
 };
 
-// The tics of an axis: their marks, and the numbers that stand there.
-std::vector<Place> tics_of(const std::vector<Element>& picture, bool x) {
+// The ticks of an axis: their marks, and the numbers beside them.
+std::vector<Place> ticks_of(const std::vector<Element>& picture, bool x) {
   std::vector<double> marks, numbers;
   for (const Segment& each : segments(picture, "#000000")) {
     const double across = x ? each.y1 - each.y0 : each.x1 - each.x0, along = x ? each.x1 - each.x0 : each.y1 - each.y0;
@@ -134,10 +139,10 @@ std::vector<Place> tics_of(const std::vector<Element>& picture, bool x) {
   return out;
 }
 
-// Where a value has to lie, by the first and the last tic.
-double expected(const std::vector<Place>& tics, double value, bool logarithmic = false) {
+// Where a value has to lie, by the first and the last tick.
+double expected(const std::vector<Place>& ticks, double value, bool logarithmic = false) {
   const auto of = [&](double each) { return logarithmic ? std::log10(each) : each; };
-  const Place &first = tics.front(), &last = tics.back();
+  const Place &first = ticks.front(), &last = ticks.back();
   return first.at + (of(value) - of(first.value)) / (of(last.value) - of(first.value)) * (last.at - first.at);
 }
 
@@ -161,7 +166,7 @@ TEST(Figure, PointsLieWhereTheAxesSay) {
   for (const double scale : {1e-6, 0.01, 1.0, 37.0, 2.5e7}) {
     const std::vector<Point> points{{0.0, -3.0 * scale}, {1.5, 2.0 * scale}, {4.0, 7.1 * scale}};
     const std::vector<Element> picture = drawn(chart_of(dots(points)));
-    const std::vector<Place> x = tics_of(picture, true), y = tics_of(picture, false);
+    const std::vector<Place> x = ticks_of(picture, true), y = ticks_of(picture, false);
     ASSERT_GT(x.size(), 2u);
     ASSERT_GT(y.size(), 2u);
     EXPECT_GT(y.front().at, y.back().at);  // upwards
@@ -178,7 +183,7 @@ TEST(Figure, LogarithmicAxesHavePowersOfTen) {
   Chart chart = chart_of(dots({{0.02, 1.0}, {1.0, 2.0}, {700.0, 3.0}}));
   chart.panels[0].x.logarithmic = true;
   const std::vector<Element> picture = drawn(chart);
-  const std::vector<Place> x = tics_of(picture, true);
+  const std::vector<Place> x = ticks_of(picture, true);
   for (const double power : {0.1, 1.0, 10.0, 100.0}) {
     EXPECT_TRUE(std::ranges::any_of(x, [&](const Place& each) { return each.value == power; })) << power;
   }
@@ -188,14 +193,34 @@ TEST(Figure, LogarithmicAxesHavePowersOfTen) {
 
 TEST(Figure, WhatIsNoNumberIsLeftOut) {
   const double none = unknown, endless = HUGE_VAL;
-  Series series = dots({{0.0, 1.0}, {1.0, 2.0}, {2.0, none}, {3.0, endless}, {none, 1.0}, {4.0, 1.0}, {5.0, 2.0}});
+  Series series = dots({{0.0, 1.0},
+                        {1.0, 2.0},
+                        {2.0, none},
+                        {3.0, endless},
+                        {none, 1.0},
+                        {4.0, 1.0},
+                        {5.0, 2.0},
+                        {6.0, endless},
+                        {7.0, 2.0},
+                        {8.0, 1.0},
+                        {9.0, -endless}});
   series.join = Join::line;
   const std::vector<Element> picture = drawn(chart_of(series));
-  EXPECT_EQ(all(picture, "circle").size(), 4u);
-  EXPECT_EQ(segments(picture, "#0072b2").size(), 2u);  // interrupted
+  EXPECT_EQ(all(picture, "circle").size(), 6u);
+  EXPECT_EQ(segments(picture, "#0072b2").size(), 3u);  // interrupted
+  for (const Join join : {Join::line, Join::steps}) {
+    series.join = join;
+    const std::vector<Element> joined = drawn(chart_of(series));
+    const std::vector<Place> y = ticks_of(joined, false);
+    for (const Segment& each : segments(joined, "#0072b2")) {  // none goes on to the edge
+      EXPECT_GE(std::min(each.y0, each.y1), expected(y, 2.0) - 0.3);
+      EXPECT_LE(std::max(each.y0, each.y1), expected(y, 1.0) + 0.3);
+    }
+  }
+  series.join = Join::line;
   Chart logarithmic = chart_of(series);
   logarithmic.panels[0].x.logarithmic = true;
-  EXPECT_EQ(all(drawn(logarithmic), "circle").size(), 3u);  // 0 has no logarithm
+  EXPECT_EQ(all(drawn(logarithmic), "circle").size(), 5u);  // 0 has no logarithm
   for (const Chart& chart : {chart_of(series), logarithmic}) {
     EXPECT_THAT(svg(figure_of(chart), Look::page).str(), AllOf(Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
   }
@@ -208,7 +233,7 @@ TEST(Figure, IntervalsReachToTheirEnds) {
   Chart chart = chart_of(bars);
   chart.y.range = Range{0.0, 10.0};
   std::vector<Element> picture = drawn(chart);
-  const std::vector<Place> y = tics_of(picture, false);
+  const std::vector<Place> y = ticks_of(picture, false);
   std::vector<Segment> upright;
   std::ranges::copy_if(segments(picture, "#0072b2"), std::back_inserter(upright),
                        [](const Segment& each) { return each.x0 == each.x1; });
@@ -229,7 +254,7 @@ TEST(Figure, IntervalsReachToTheirEnds) {
 TEST(Figure, BarsBeginAtZero) {
   Series bars{.points = {{1.0, 30.0}, {2.0, 12.0}, {3.0, 0.0}, {4.0, 9.0, 3.0}}, .bar = 0.8};
   const std::vector<Element> upright = drawn(chart_of(bars));
-  const std::vector<Place> y = tics_of(upright, false);
+  const std::vector<Place> y = ticks_of(upright, false);
   EXPECT_EQ(y.front().value, 0.0);
   std::vector<Element> rects = all(upright, "rect");
   rects.erase(rects.begin());   // the sheet
@@ -263,7 +288,7 @@ TEST(Figure, WhatLiesOutsideIsCutOff) {
     Chart chart = chart_of(series);
     chart.y.range = Range{-1.0, 1.0};
     const std::vector<Element> picture = drawn(chart);
-    const std::vector<Place> y = tics_of(picture, false);
+    const std::vector<Place> y = ticks_of(picture, false);
     const double top = expected(y, 1.0) - 0.2, bottom = expected(y, -1.0) + 0.2;
     std::size_t inside = 0;
     for (const Segment& each : segments(picture, "#0072b2")) {
@@ -279,7 +304,7 @@ TEST(Figure, WhiskersOfBarsEndAtZero) {
   const Series bars{.points = {{5.0, 0.0}}, .bar = 0.5};
   const Series whiskers{.colour = 1, .points = {{5.0, 0.0, -20.0, 9.0}}, .interval = Interval::whiskers};
   const std::vector<Element> picture = drawn({.rows = {"a"}, .panels = {{{}, {bars, whiskers}}}});
-  const std::vector<Place> x = tics_of(picture, true);
+  const std::vector<Place> x = ticks_of(picture, true);
   EXPECT_EQ(x.front().value, 0.0);
   EXPECT_NEAR(all(picture, "rect").at(1).number("x"), x.front().at, 0.2);
   const Segment whisker = segments(picture, "#d55e00").at(0);
@@ -293,7 +318,7 @@ TEST(Figure, LinesAreCutAtTheEdge) {
   chart.y.range = Range{-1.0, 1.0};
   chart.panels[0].x.range = Range{0.0, 5.0};
   const std::vector<Element> picture = drawn(chart);
-  const std::vector<Place> x = tics_of(picture, true), y = tics_of(picture, false);
+  const std::vector<Place> x = ticks_of(picture, true), y = ticks_of(picture, false);
   // Where 0 -> 4 -> -4 -> 0 meets 1 and -1.
   const std::vector<Segment> expected_parts{{0.0, 0.0, 0.5, 1.0}, {2.75, 1.0, 3.25, -1.0}, {4.75, -1.0, 5.0, 0.0}};
   const std::vector<Segment> parts = segments(picture, "#0072b2");
@@ -306,16 +331,16 @@ TEST(Figure, LinesAreCutAtTheEdge) {
   }
 }
 
-// --- Tics and texts --------------------------------------------------------------------------------------------------
+// --- Ticks and texts -------------------------------------------------------------------------------------------------
 
-TEST(Figure, TicsAreEvenAndStandApart) {
+TEST(Figure, TicksAreEvenAndApart) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> exponent(-8.0, 9.0), offset(-3.0, 3.0), length(60.0, 1100.0);
   for (int round = 0; round < 5000; ++round) {
     const double wide = std::pow(10.0, exponent(random)), low = offset(random) * wide * (round % 3 == 0 ? 100.0 : 1.0);
     const bool upright = round % 2 == 0;
     const Scale scale{{low, low + wide}, false, 50.0, 50.0 + length(random)};
-    const std::vector<Tic> found = tics(scale, false, upright);
+    const std::vector<Tick> found = ticks(scale, false, upright);
     ASSERT_GE(found.size(), scale.end - scale.begin > 400.0 ? 2u : 1u) << low << ' ' << wide;
     for (std::size_t i = 0; i < found.size(); ++i) {
       EXPECT_GE(found[i].at, low - 1e-6 * wide);
@@ -332,17 +357,17 @@ TEST(Figure, TicsAreEvenAndStandApart) {
     }
   }
   for (const auto& [high, most] : std::vector<std::pair<double, double>>{{3.0, 3.0}, {0.4, 0.0}, {1234.0, 1200.0}}) {
-    const std::vector<Tic> whole = tics({{0.0, high}, false, 0.0, 600.0}, true, false);
-    for (const Tic& each : whole) EXPECT_EQ(each.at, std::round(each.at));
+    const std::vector<Tick> whole = ticks({{0.0, high}, false, 0.0, 600.0}, true, false);
+    for (const Tick& each : whole) EXPECT_EQ(each.at, std::round(each.at));
     EXPECT_EQ(whole.back().at, most);
   }
 }
 
-TEST(Figure, LogarithmicTicsStandApart) {
+TEST(Figure, LogarithmicTicksAreApart) {
   for (double low = 1e-9; low < 1e6; low *= 7.3) {
     for (double times = 1.1; times < 1e12; times *= 2.9) {
       const Scale scale{{low, low * times}, true, 0.0, 500.0};
-      const std::vector<Tic> found = tics(scale, false, false);
+      const std::vector<Tick> found = ticks(scale, false, false);
       ASSERT_GE(found.size(), 1u);
       EXPECT_LE(found.size(), 30u);
       for (std::size_t i = 0; i < found.size(); ++i) {
@@ -422,7 +447,7 @@ TEST(Figure, TheLastNumberOfAnAxisIsNotCut) {
     chart.panels[0].x.range = Range{0.0, high};
     const std::vector<Element> picture = drawn(chart);
     for (const Element& each : all(picture, "text")) EXPECT_LE(box_of(each).right, 620.0) << each.text;
-    const std::vector<Place> x = tics_of(picture, true);
+    const std::vector<Place> x = ticks_of(picture, true);
     EXPECT_NEAR(all(picture, "circle")[1].number("cx"), expected(x, high), 0.3);
   }
 }
@@ -464,6 +489,28 @@ TEST(Figure, NoTextGetsOutOfItsPlace) {
       std::ranges::any_of(drawn(rows), [](const Element& text) { return text.text == std::string(32, 'x') + "..."; }));
 }
 
+// The longest that is not cut, one more, and much more.
+TEST(Figure, TheKeyOfGoalDifferencesSaysWhoWins) {
+  for (const auto& [letters, kept] : std::vector<std::pair<std::size_t, std::string>>{
+           {27, std::string(27, 'm')}, {28, std::string(24, 'm') + "..."}, {44, std::string(24, 'm') + "..."}}) {
+    Course course({std::string(letters, 'm'), "b"});
+    CourseRecord record(course.plan, *course.tournament);
+    const campaign::Decided decided = match(2, 1);
+    course.take(decided);
+    record.take(&decided);
+    const std::vector<Figure> figures = tournament_figures(course.view(), record);
+    const auto figure = std::ranges::find(figures, "goal_differences", &Figure::name);
+    ASSERT_NE(figure, figures.end());
+    std::vector<std::string> key;
+    for (const Element& each : all(read(svg(*figure, Look::file).str()), "text")) {
+      if (each.attributes.at("text-anchor") == "start") key.push_back(each.text);
+    }
+    EXPECT_THAT(key, ElementsAre(kept + " wins", "draws", "b wins"));
+  }
+  EXPECT_EQ(name_with("\u202e\u202e", " wins"), "\\u202e\\u202e wins");
+  EXPECT_THAT(name_with(std::string(28, '\n'), " wins"), testing::EndsWith("\\n... wins"));
+}
+
 // --- The picture -----------------------------------------------------------------------------------------------------
 
 TEST(Figure, OfAPageIsInThePagesColours) {
@@ -476,7 +523,7 @@ TEST(Figure, OfAPageIsInThePagesColours) {
   }
 }
 
-TEST(Figure, OfAFileStandsByItself) {
+TEST(Figure, OfAFileNeedsNothingElse) {
   const std::string file = svg(figure_of(chart_of(dots({{1.0, -2.0}, {2.0, 3.0}}))), Look::file).str();
   EXPECT_THAT(file,
               AllOf(HasSubstr("xmlns=\"http://www.w3.org/2000/svg\""), HasSubstr("#0072b2"), HasSubstr("fill=\"#fff\""),
@@ -498,8 +545,8 @@ TEST(Figure, OfNearlyNothing) {
     }
   }
   const std::vector<Element> one = drawn(chart_of(dots({{3.0, 4.0}})));
-  EXPECT_NEAR(all(one, "circle").at(0).number("cx"), expected(tics_of(one, true), 3.0), 0.3);
-  EXPECT_NEAR(all(one, "circle").at(0).number("cy"), expected(tics_of(one, false), 4.0), 0.3);
+  EXPECT_NEAR(all(one, "circle").at(0).number("cx"), expected(ticks_of(one, true), 3.0), 0.3);
+  EXPECT_NEAR(all(one, "circle").at(0).number("cy"), expected(ticks_of(one, false), 4.0), 0.3);
 }
 
 TEST(Figure, TheKeyNamesWhatIsDrawn) {

@@ -124,7 +124,7 @@ TEST(TournamentJson, Failures) {
   EXPECT_EQ(json["teams"][1]["failures"], 2);
   EXPECT_EQ(json["teams"][1]["file"], "bad.yaml");
   EXPECT_EQ(json["forfeits"], Json::parse(R"([{"team": "bad", "plugin": "greedy", "call": "assign", "what": "\ufffd",
-                                               "matches": 2, "again": "again 0"}])"));
+                                               "matches": 2, "first_match": 1, "again": "again 0"}])"));
   EXPECT_EQ(json["set_aside"], Json::parse(R"([{"team": "bad", "plugin": "greedy", "failures": 2, "after_pair": 1}])"));
 }
 

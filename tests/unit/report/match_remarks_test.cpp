@@ -7,8 +7,7 @@
 
 #include "course.hpp"
 #include "report/standing.hpp"
-#include "report/tournament_page.hpp"
-#include "report/verdict_sentence.hpp"
+#include "report/tournament_verdict.hpp"
 #include "statistics/sign_flip.hpp"
 #include "texts/json.hpp"
 
@@ -34,7 +33,7 @@ void take(Course& course, int won, int lost, int not_played) {
 
 std::string page_of(const Course& course) {
   CourseRecord record(course.plan, *course.tournament);
-  return tournament_page({course.view(), record, {}, {}, what_was_played(course.plan), {}, {}, {}});
+  return tournament_page(course.view(), record);
 }
 
 TEST(Unplayed, WhatIsNotListedIsCounted) {
@@ -42,7 +41,9 @@ TEST(Unplayed, WhatIsNotListedIsCounted) {
        {std::pair{100, ""}, {101, "  and 1 match more\n"}, {102, "  and 2 matches more\n"}}) {
     Course course({"new", "old"}, 200);
     take(course, 0, 0, pairs);
-    EXPECT_THAT(unplayed_text(course.tournament->remarks()), EndsWith(std::string("died\\x1b[2J\n") + more)) << pairs;
+    EXPECT_THAT(section_text(unplayed_section(static_cast<std::uint64_t>(pairs), course.tournament->remarks())),
+                EndsWith(std::string("died\\x1b[2J\n") + more))
+        << pairs;
   }
 }
 
@@ -52,14 +53,14 @@ TEST(Unplayed, AFixedNumberOfPairs) {
   take(course, 12, 0, 9);
   EXPECT_LT(statistics::sign_flip_p({{0, 0, 0, 0, 12}}), 0.05);
   EXPECT_GT(statistics::sign_flip_p({{9, 0, 0, 0, 12}}), 0.05);
-  const VerdictSentence verdict = verdict_sentence(course.view());
-  EXPECT_EQ(verdict.sentence.str(), "No verdict: 9 pairs could not be played.");
+  const TournamentVerdict verdict = tournament_verdict(course.view());
+  EXPECT_EQ(plain(verdict.sentence), "No verdict: 9 pairs could not be played.");
   const std::string text = tournament_text(course.view());
   EXPECT_THAT(text, AllOf(HasSubstr("\nNo verdict: 9 pairs could not be played.\n"),
                           HasSubstr("  match 26: died\\x1b[2J\n"), HasSubstr("  match 42: died"), Not(HasSubstr("Elo")),
                           Not(HasSubstr("LOS")), Not(HasSubstr("Ptnml"))));
   ASSERT_EQ(verdict.beside.size(), 1u);
-  EXPECT_THAT(verdict.beside[0].str(), HasSubstr("9 pairs could not be played"));
+  EXPECT_THAT(plain(verdict.beside[0]), HasSubstr("9 pairs could not be played"));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["unplayed"]["pairs"], 9);
   EXPECT_EQ(json["unplayed"]["listed"][0]["match"], 26);
@@ -77,7 +78,8 @@ TEST(Unplayed, AFixedNumberOfPairs) {
 TEST(Unplayed, AVerdictThatHoldsEitherWayIsGiven) {
   Course course({"new", "old"}, 41);
   take(course, 40, 0, 1);
-  EXPECT_THAT(verdict_sentence(course.view()).sentence.str(), AllOf(HasSubstr("new"), HasSubstr(" is stronger than ")));
+  EXPECT_THAT(plain(tournament_verdict(course.view()).sentence),
+              AllOf(HasSubstr("new"), HasSubstr(" is stronger than ")));
   const PValues p = p_values(*course.tournament);
   EXPECT_EQ(p.single[0], statistics::sign_flip_p({{1, 0, 0, 0, 40}}));
   EXPECT_FALSE(p.prevented[0]);
@@ -117,7 +119,7 @@ TEST(Unplayed, ASequentialTest) {
   ASSERT_EQ(course.tournament->verdict(), study::Verdict::prevented);
   EXPECT_THAT(tournament_text(course.view()), HasSubstr("No verdict: 40 pairs could not be played.\n"));
   EXPECT_EQ(nlohmann::json::parse(tournament_json(course.view()))["verdict"], "NO_VERDICT");
-  EXPECT_EQ(verdict_sentence(course.view()).sentence.str(), "No verdict: 40 pairs could not be played.");
+  EXPECT_EQ(plain(tournament_verdict(course.view()).sentence), "No verdict: 40 pairs could not be played.");
 }
 
 // Who leads must lead with all of them lost, too.
@@ -133,7 +135,7 @@ TEST(Unplayed, NobodyLeadsByThem) {
         course.take(wins ? match(0, 1) : match(1, 0));
       }
     }
-    const std::string sentence = verdict_sentence(course.view()).sentence.str();
+    const std::string sentence = plain(tournament_verdict(course.view()).sentence);
     if (by_them)
       EXPECT_THAT(sentence, StartsWith("No verdict: "));
     else
@@ -153,18 +155,19 @@ TEST(Remarks, StandAtTheTopAndAtTheEnd) {
               StartsWith("not reproducible: match 1: tick 7 of robot 2: plugin dice\nnot reproducible: match 4: "));
   EXPECT_THAT(
       text,
-      EndsWith("\nmatch 2: home: plugins keep in memory that all their instances share: greedy.so: taken; nothing "
-               "came of it in this match\nplugins wrote to standard error in 2 matches, first in match 2; see: regista "
-               "report FILE "
-               "--standard-error 2\n\n"
-               "2 pairs do not show which of a and b is stronger.\n"));
+      HasSubstr(
+          "\nmatch 2: home: plugins keep in memory that all their instances share: greedy.so: taken; nothing "
+          "came of it in this match\nplugins wrote to standard error in 2 matches, first in match 2; see: regista "
+          "report FILE "
+          "--standard-error 2\n\n"
+          "2 pairs do not show which of a and b is stronger.\n"));
   const auto json = nlohmann::json::parse(tournament_json(course.view()));
   EXPECT_EQ(json["not_reproducible"]["listed"][1]["match"], 4);
   EXPECT_EQ(json["standard_error"], nlohmann::json::parse(R"({"matches": 2, "listed": [2, 3]})"));
   EXPECT_EQ(json["kept_outside"]["matches"], 2);
   const std::string page = page_of(course);
-  EXPECT_LT(page.find("id=\"not-reproducible\""), page.find("id=\"verdict\""));
-  EXPECT_THAT(page, HasSubstr("Plugins wrote to standard error in 2 matches"));
+  EXPECT_LT(page.find("<strong>not reproducible:</strong>"), page.find("id=\"verdict\""));
+  EXPECT_THAT(page, HasSubstr("plugins wrote to standard error in 2 matches"));
   Course quiet({"a", "b"}, 1);
   quiet.take(match(1, 0));
   quiet.take(match(1, 0));
@@ -188,7 +191,7 @@ TEST(Remarks, TheHeadlineSaysThatRobotsDoNotDecideAlone) {
   EXPECT_EQ(json["not_proven"]["matches"], 3);
   EXPECT_EQ(json["not_reproducible"]["matches"], 0);
   const std::string page = page_of(course);
-  EXPECT_LT(page.find("<strong>Robots do not decide alone:</strong>"), page.find("id=\"verdict\""));
+  EXPECT_LT(page.find("<strong>robots do not decide alone:</strong>"), page.find("id=\"verdict\""));
   EXPECT_THAT(page, HasSubstr("<h1 id=\"verdict\">Not a result of robots that decide alone: "));
 }
 
@@ -204,7 +207,7 @@ TEST(Remarks, AForfeitOfATeamWhosePluginIsNotKnown) {
   course.take(campaign::forfeit(failure, 1.0));
   course.take(match(1, 0));
   EXPECT_THAT(tournament_text(course.view()),
-              HasSubstr("forfeited by small: a plugin of small: left 2 threads behind\n"));
+              HasSubstr("forfeited by small: a plugin of small: left 2 threads behind; the first again: again 0\n"));
   EXPECT_THAT(page_of(course), HasSubstr("a plugin of <bdi>small</bdi>"));
 }
 

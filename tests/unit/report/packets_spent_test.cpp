@@ -6,8 +6,6 @@
 #include "report/course_record.hpp"
 #include "report/experiment.hpp"
 #include "report/match_summary.hpp"
-#include "report/tournament.hpp"
-#include "report/tournament_page.hpp"
 #include "texts/json.hpp"
 #include "tuning_course.hpp"
 #include "unit/study/experiment_fixture.hpp"
@@ -48,10 +46,10 @@ TEST(PacketsSpent, TextOfATournament) {
   EXPECT_THAT(tournament_text(course.view()), Not(HasSubstr("packets")));  // nothing is known yet
   course.play();
   EXPECT_THAT(tournament_text(course.view()),
-              HasSubstr("\na spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT\n"
-                        "b spent 20 packets per match; the share of the budget for this length is 30\n"
-                        "Who has overspent could not go on like this for a whole match. With --set "
-                        "rules.messages.short_games=share a short game has its share of the packets.\n"));
+              HasSubstr("\na spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT.\n"
+                        "b spent 20 packets per match; the share of the budget for this length is 30.\n"
+                        "A team that overspends here would run out of packets in a whole match. With --set "
+                        "rules.messages.short_games=share a short game has its share of them.\n"));
   EXPECT_THAT(standing_text(course.view()), Not(HasSubstr("packets")));  // of the live display
 }
 
@@ -71,7 +69,7 @@ TEST(PacketsSpent, WhoSpendsTheShareToTheLastPacketHasNotOverspent) {
 TEST(PacketsSpent, TextOfSeveralTeamsStandsBelowTheirPairings) {
   ShortGames course({"a", "b", "c"});
   course.play();
-  EXPECT_THAT(tournament_text(course.view()), HasSubstr("\n\na spent 45 packets per match; "));
+  EXPECT_THAT(tournament_text(course.view()), HasSubstr("\n\nPackets\na spent 45 packets per match; "));
 }
 
 TEST(PacketsSpent, WholeMatchesHaveNothingToTell) {
@@ -107,9 +105,9 @@ TEST(PacketsSpent, PageOfATournament) {
     course.take(each);
     record.take(&each);
   }
-  const std::string page = tournament_page({course.view(), record, {}, {}, what_was_played(course.plan), {}, {}, {}});
+  const std::string page = tournament_page(course.view(), record);
   EXPECT_THAT(page, HasSubstr("<bdi>a</bdi> spent 45 packets per match; the share of the budget for this length is 30: "
-                              "overspent."));
+                              "OVERSPENT."));
   EXPECT_THAT(page,
               HasSubstr("<bdi>b</bdi> spent 20 packets per match; the share of the budget for this length is 30."));
 }
@@ -123,12 +121,13 @@ TEST(PacketsSpent, OfATunedTeam) {
     decided.metrics = campaign::metrics_from_json(at_home ? metrics(45, 20) : metrics(20, 45));
     return decided;
   });
-  EXPECT_THAT(tuning_text(course.view()),
+  EXPECT_THAT(text_of(course.view()),
               HasSubstr("It spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT.\n"));
-  EXPECT_EQ(json::parse(tuning_json(course.view()))["verification"]["candidates"][0]["packets_of_short_games"],
+  EXPECT_EQ(json::parse(
+                outline_json(tuning_outline(course.view())))["verification"]["candidates"][0]["packets_of_short_games"],
             json::parse(R"({"per_match": 45, "share": 30, "overspent": true})"));
   const TunedCourse whole(plan, [&](const campaign::Job& job) { return decided_by(plan, job, peak); });
-  EXPECT_THAT(tuning_text(whole.view()), Not(HasSubstr("packets")));
+  EXPECT_THAT(text_of(whole.view()), Not(HasSubstr("packets")));
 }
 
 // Every condition spends 10 packets more than the one before, the first 10.
@@ -146,7 +145,7 @@ ToldExperiment told(const study::ExperimentPlan& plan) {
     course.take(decided);
   }
   const ExperimentView view{plan, course, [](std::uint64_t) { return std::string(); }};
-  return {experiment_notes(view), json::parse(experiment_json(view))["conditions"]};
+  return {experiment_notes(view), json::parse(outline_json(experiment_outline(view)))["conditions"]};
 }
 
 TEST(PacketsSpent, OfTheArmsOfAnExperiment) {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/page_parts.hpp"
+#include "report/outline.hpp"
 
 namespace regista::report {
 

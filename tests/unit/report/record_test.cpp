@@ -275,15 +275,15 @@ TEST(CourseRecord, RecordedMatchesThatWerePlayed) {
 TEST(Figures, MarksOfAnAxisStandApart) {
   for (double end = 0.0013; end < 1e7; end *= 1.37) {
     for (const int most : {3, 5, 8}) {
-      const double step = tic_step(end, most);
+      const double step = tick_step(end, most);
       EXPECT_LE(end / step, most * (1.0 + 1e-6)) << end;
       EXPECT_GT(end / step, most / 2.51) << end;
       const double digit = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
       EXPECT_LT(std::min({std::abs(digit - 1.0), std::abs(digit - 2.0), std::abs(digit - 5.0)}), 1e-6) << end;
     }
   }
-  EXPECT_EQ(tic_step(1000.0, 5), 200.0);
-  EXPECT_EQ(tic_step(0.0, 8), 1.0);
+  EXPECT_EQ(tick_step(1000.0, 5), 200.0);
+  EXPECT_EQ(tick_step(0.0, 8), 1.0);
 }
 
 TEST(Figures, NothingToShowIsNoFigure) {

@@ -95,6 +95,8 @@ inline campaign::Decided decided_by(const study::TuningPlan& plan, const campaig
   return out;
 }
 
+inline std::string text_of(const TuningView& view) { return outline_text(tuning_outline(view)); }
+
 struct Stopped {};
 
 using Decide = std::function<campaign::Decided(const campaign::Job&)>;

@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 using study::TuningStage;
 
 Json read(const TunedCourse& course) {
-  const std::string text = tuning_json(course.view());
+  const std::string text = outline_json(tuning_outline(course.view()));
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
   EXPECT_EQ(text.back(), '\n');
   return Json::parse(text);
@@ -92,6 +92,25 @@ TEST(TuningJson, NumbersAreThoseOfTheMatches) {
   EXPECT_EQ(matches["search"].get<std::uint64_t>() + matches["selection"].get<std::uint64_t>() +
                 matches["verification"].get<std::uint64_t>() + matches["slices"].get<std::uint64_t>(),
             course.played);
+}
+
+TEST(TuningJson, ForfeitsAreListed) {
+  const study::TuningPlan plan = tuning_plan();
+  const TunedCourse course(plan, [&](const campaign::Job& job) {
+    return override_of(job, plan.parameters[0].path) > 5.5
+               ? campaign::forfeit({0, "greedy", "assign", 3, 417, "no answer"}, 1.0)
+               : decided_by(plan, job, peak);
+  });
+  const study::Forfeits& first = course.record.tally.forfeits.listed().at(0);
+  const Json forfeits = read(course)["forfeits"];
+  EXPECT_EQ(forfeits["unlisted"], 0);
+  ASSERT_EQ(forfeits["listed"].size(), course.record.tally.forfeits.listed().size());
+  EXPECT_EQ(forfeits["listed"][0], (Json{{"by", "the team that is tuned"},
+                                         {"plugin", "greedy"},
+                                         {"call", "assign"},
+                                         {"what", "no answer"},
+                                         {"matches", first.count},
+                                         {"first_match", first.first_match + 1}}));
 }
 
 TEST(TuningJson, OfAMinimisedObjectiveInTheUsersTerms) {

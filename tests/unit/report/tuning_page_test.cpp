@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "report/tuning_page.hpp"
-
 #include <gmock/gmock.h>
 
 #include "page_soundness.hpp"
 #include "report/tuning_figures.hpp"
-#include "report/tuning_problem.hpp"
 #include "tuning_course.hpp"
 
 namespace regista::report {
@@ -18,7 +15,9 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string page_of(const TunedCourse& course) {
-  return tuning_page({course.view(), tuning_figures(course.view()), {"weights.db", "1.2.3", "9f2c", "Of its own."}});
+  Outline outline = tuning_outline(course.view());
+  outline.fingerprint = "9f2c";
+  return outline_page(outline, "weights.db", tuning_figures(course.view()));
 }
 
 std::vector<std::string> names_in_key(const Figure& figure) {
@@ -36,7 +35,9 @@ campaign::Decided with_a_forfeit(const study::TuningPlan& plan, const campaign::
 }
 
 TEST(TuningPage, HasItsPartsInTheirOrder) {
-  const study::TuningPlan plan = tuning_plan();
+  study::TuningPlan plan = tuning_plan();
+  plan.program = "1.2.3";
+  plan.asked.search.minutes = 5.0;
   const TunedCourse course(plan, [&](const campaign::Job& job) { return with_a_forfeit(plan, job, "out of memory"); });
   const std::string page = page_of(course);
   EXPECT_THAT(ids(page), ElementsAre("played", "findings", "setup", "convergence", "values", "slices", "finalists",
@@ -45,8 +46,8 @@ TEST(TuningPage, HasItsPartsInTheirOrder) {
   EXPECT_THAT(page, AllOf(HasSubstr("<h1 id=\"verdict\">The tuned team is better than the base team"),
                           HasSubstr("download=\"trace.csv\""), HasSubstr("out of memory"), HasSubstr("Regista 1.2.3"),
                           HasSubstr("9f2c"), HasSubstr("regista report weights.db --study again"),
-                          HasSubstr("Of its own."), HasSubstr("document of spqr"), HasSubstr("the team that is tuned"),
-                          HasSubstr("how much the distance counts")));
+                          HasSubstr("The search had a limit of wall time."), HasSubstr("document of spqr"),
+                          HasSubstr("the team that is tuned"), HasSubstr("how much the distance counts")));
   EXPECT_EQ(count(page, "<figure>\n<svg "), 4u);
   EXPECT_EQ(page, page_of(course));
 }

@@ -25,24 +25,45 @@ bool is_of_base(const study::TuningPlan& plan, const campaign::Job& job) {
 TEST(TuningText, AClearWin) {
   const TunedCourse course(tuning_plan());
   ASSERT_TRUE(course.record.verified());
-  const std::string text = tuning_text(course.view());
-  EXPECT_THAT(text, AllOf(HasSubstr("weights: 2 parameters of base.yaml, goal_difference as large as possible\n"),
-                          HasSubstr("Do other weights score more?\n"),
-                          HasSubstr("\nThe tuned team is better than the base team on held-out seeds.\n"),
-                          HasSubstr("Finalist 1: better than the base team on held-out seeds; goal_difference "),
-                          HasSubstr("(anytime-valid 95 % interval), "), HasSubstr("The tuned team is in tuned.yaml.\n"),
-                          HasSubstr("Opponents, with their weights: fixed_rate (75 %), spqr (25 %)."),
-                          HasSubstr("weights.distance      5  0 to 10 m  linear"),
-                          HasSubstr("weights.bearing       1  0.1 to 10"), HasSubstr("the larger the better"),
-                          HasSubstr("budget used up"), Not(HasSubstr("Not at its end"))));
+  const std::string text = text_of(course.view());
+  EXPECT_THAT(
+      text,
+      AllOf(HasSubstr("Tuning: weights: 2 parameters of base.yaml, goal_difference as large as possible\n"),
+            HasSubstr("Do other weights score more?\n"),
+            HasSubstr("\nThe tuned team is better than the base team on held-out seeds.\n"),
+            HasSubstr("Finalist 1: better than the base team on held-out seeds; goal_difference "),
+            HasSubstr("(anytime-valid 95 % interval), "), HasSubstr("The tuned team is in tuned.yaml.\n"),
+            HasSubstr("Opponents, with their weights: fixed_rate (75 %), spqr (25 %)."),
+            HasSubstr("weights.distance      5  0 to 10 m  linear"), HasSubstr("weights.bearing       1  0.1 to 10"),
+            HasSubstr("the larger the better"), HasSubstr("budget used up"), Not(HasSubstr("Not at its end"))));
   EXPECT_THAT(text, Not(HasSubstr("Forfeits")));
+  // What came out comes last.
+  EXPECT_GT(text.find("\nThe tuned team is better"), text.find("\nFinalists\n"));
+  EXPECT_GT(text.find("\nFinalist 1: "), text.find("\nThe tuned team is better"));
+}
+
+// Tuned values and importance are one table; without a tuned team there is importance all the same.
+TEST(TuningText, ValuesStandBesideTheirImportance) {
+  const TunedCourse course(tuning_plan());
+  EXPECT_THAT(text_of(course.view()),
+              AllOf(HasSubstr("\nTuned values and importance\nOf finalist 1.\n\nParameter  "),
+                    testing::ContainsRegex("\nweights.bearing  +1  +[0-9.]+  0.1 to 10  +[0-9.]+  p [<=]")));
+  study::TuningPlan plan = tuning_plan();
+  plan.asked.search.algorithm = "sbplx";
+  plan.pairs = 4;
+  const TunedCourse nothing(
+      plan, [](double distance, double bearing) { return 1.0 - std::abs(distance - 5.0) - std::abs(bearing - 1.0); });
+  ASSERT_FALSE(nothing.record.tuned());
+  ASSERT_FALSE(nothing.record.slices.empty());
+  EXPECT_THAT(text_of(nothing.view()),
+              AllOf(testing::ContainsRegex("\nweights.bearing  +1  +-  0.1 to 10  +[0-9.]+  p [<=]"),
+                    HasSubstr("Each parameter varied alone around finalist 1, "), Not(HasSubstr("Of finalist"))));
 }
 
 // What the values of a point were is a mean of points that SPSA played, so the search did not play it; sbplx plays its
 // own.
 TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
-  EXPECT_THAT(tuning_text(TunedCourse(tuning_plan()).view()),
-              HasSubstr("it is the mean of points that the search played"));
+  EXPECT_THAT(text_of(TunedCourse(tuning_plan()).view()), HasSubstr("it is the mean of points that the search played"));
   study::TuningPlan plan = tuning_plan();
   plan.asked.search.algorithm = "sbplx";
   plan.pairs = 2;
@@ -50,7 +71,7 @@ TEST(TuningText, WhatTheSearchPromisedStandsBesideWhatCameOfIt) {
   const CandidateVerdict of = candidate_verdicts(course.view()).at(0);
   ASSERT_TRUE(of.seen && of.value && of.optimism);
   EXPECT_DOUBLE_EQ(*of.optimism, of.seen->mean - of.value->mean);
-  EXPECT_THAT(tuning_text(course.view()),
+  EXPECT_THAT(text_of(course.view()),
               HasSubstr(*of.optimism > 0.0 ? "the search was too optimistic by" : "the search was not too optimistic"));
 }
 
@@ -65,7 +86,7 @@ TEST(TuningText, ATie) {
   });
   ASSERT_FALSE(course.record.verified());
   ASSERT_FALSE(course.record.candidates.empty());
-  EXPECT_THAT(tuning_text(course.view()),
+  EXPECT_THAT(text_of(course.view()),
               AllOf(HasSubstr("\nNo difference between the tuned team and the base team was found in 200 pairs. This "
                               "does not show that there is none.\n"),
                     HasSubstr("which does not show that there is none"), HasSubstr("although it was not found better"),
@@ -83,7 +104,7 @@ TEST(TuningText, ALoss) {
     });
   };
   const TunedCourse course(plan, turned);
-  EXPECT_THAT(tuning_text(course.view()),
+  EXPECT_THAT(text_of(course.view()),
               AllOf(HasSubstr("\nWhat the search found is worse than the base team on held-out seeds.\n"),
                     HasSubstr("Finalist 1: worse than the base team"), HasSubstr("the search was too optimistic by"),
                     HasSubstr("although it was not found better"), Not(HasSubstr("is better"))));
@@ -96,9 +117,9 @@ TEST(TuningText, NothingBetterThanTheBaseTeam) {
   const TunedCourse course(
       plan, [](double distance, double bearing) { return 1.0 - std::abs(distance - 5.0) - std::abs(bearing - 1.0); });
   ASSERT_TRUE(course.record.candidates.empty());
-  const std::string text = tuning_text(course.view());
+  const std::string text = text_of(course.view());
   EXPECT_THAT(text, AllOf(HasSubstr("\nThe search found nothing better than the base team.\n"),
-                          HasSubstr("the base team came first"), Not(HasSubstr("Values of finalist"))));
+                          HasSubstr("the base team came first"), Not(HasSubstr("Of finalist"))));
 }
 
 TEST(TuningText, HeadToHeadThereIsTheDifferenceAlone) {
@@ -106,8 +127,8 @@ TEST(TuningText, HeadToHeadThereIsTheDifferenceAlone) {
   plan.asked.verification.against = config::Tuning::Against::base;
   plan.asked.search.algorithm = "sbplx";
   const TunedCourse course(plan);
-  EXPECT_THAT(tuning_text(course.view()), AllOf(HasSubstr("goal_difference less the base team's in the same matches +"),
-                                                HasSubstr("the selection gave"), HasSubstr("playing each other")));
+  EXPECT_THAT(text_of(course.view()), AllOf(HasSubstr("goal_difference less the base team's in the same matches +"),
+                                            HasSubstr("the selection gave"), HasSubstr("playing each other")));
   EXPECT_FALSE(candidate_verdicts(course.view()).at(0).value.has_value());
 }
 
@@ -123,11 +144,10 @@ TEST(TuningText, WhoForfeitsAMatchOfTheVerificationIsNotTakenForBetter) {
     return decided;
   });
   ASSERT_FALSE(course.record.verified());
-  EXPECT_THAT(
-      tuning_text(course.view()),
-      AllOf(HasSubstr("not found better: it forfeited a match of the verification"),
-            HasSubstr("not found better, because it forfeited"),
-            HasSubstr("  1 match forfeited by the team that is tuned: plugin greedy, assign: Segmentation\\nfault\n")));
+  EXPECT_THAT(text_of(course.view()), AllOf(HasSubstr("not found better: it forfeited a match of the verification"),
+                                            HasSubstr("not found better, because it forfeited"),
+                                            HasSubstr("  1 match forfeited by the team that is tuned: plugin greedy, "
+                                                      "assign: Segmentation\\nfault; first in match ")));
 }
 
 TEST(TuningText, ForfeitsOfOthersAreTheirs) {
@@ -138,7 +158,7 @@ TEST(TuningText, ForfeitsOfOthersAreTheirs) {
     const bool of_spqr = job.home_inputs.front().hash == "document of spqr" && job.seed % 7 == 0;
     return of_spqr ? campaign::forfeit({0, "slow", "decide", 1, 2, "no answer"}, 1.0) : decided_by(plan, job, peak);
   });
-  EXPECT_THAT(tuning_text(course.view()),
+  EXPECT_THAT(text_of(course.view()),
               AllOf(HasSubstr("matches forfeited by spqr: plugin slow, decide: no answer"), HasSubstr("are left out")));
 }
 
@@ -154,7 +174,7 @@ TEST(TuningText, AMinimisedObjectiveHasTheUsersSign) {
   EXPECT_NEAR(of.difference.value, of.value->mean - of.base->mean, 1e-9);
   EXPECT_LE(of.difference.interval.low, of.difference.interval.high);
   EXPECT_LT(of.value->interval->low, of.value->interval->high);
-  EXPECT_THAT(tuning_text(course.view()),
+  EXPECT_THAT(text_of(course.view()),
               AllOf(HasSubstr("striker.overlap_seconds as small as possible"),
                     HasSubstr("striker.overlap_seconds (min per 60 min), the smaller the better"),
                     HasSubstr("difference -1."), HasSubstr("The tuned team is better")));
@@ -183,7 +203,7 @@ TEST(TunedFile, ItsHeadHasTheDifferenceInItsInterval) {
 TEST(TuningText, ValuesAtTheEndOfTheirRangeAreMarked) {
   const TunedCourse course(tuning_plan(), [](double distance, double) { return 0.4 * distance; });
   ASSERT_EQ(tuned_values(course.view()).at(0).at, RangeEnd::upper);
-  EXPECT_THAT(tuning_text(course.view()), HasSubstr("0 to 10 m  at the upper end"));
+  EXPECT_THAT(text_of(course.view()), HasSubstr("0 to 10 m  at the upper end"));
 }
 
 TEST(TuningText, ABareNumberHasNoUnit) {
@@ -198,14 +218,14 @@ TEST(TuningText, ABareNumberHasNoUnit) {
 TEST(TuningText, WithoutPairsOfTheVerificationNothingIsSaid) {
   study::TuningPlan plan = tuning_plan();
   plan.verification_pairs = 0;
-  EXPECT_THAT(tuning_text(TunedCourse(plan).view()),
+  EXPECT_THAT(text_of(TunedCourse(plan).view()),
               AllOf(HasSubstr("\nNothing was verified, so nothing can be said.\n"), HasSubstr("Nothing is verified.")));
 }
 
 TEST(TuningText, AnOpponentThatIsTheBaseTeamIsNoted) {
   study::TuningPlan plan = tuning_plan();
   plan.opponents[1].jobs = plan.base.jobs;
-  EXPECT_THAT(setup_sentences(TunedCourse(plan).view()).front(), HasSubstr("; spqr is the base team itself."));
+  EXPECT_THAT(plain(setup_sentences(plan).front()), HasSubstr("; spqr is the base team itself."));
 }
 
 // Stopped by Ctrl-C at any place: everything can be told, is told the same way twice, and says that it is not its end.
@@ -218,10 +238,10 @@ TEST(TuningText, StoppedAnywhere) {
     const TunedCourse course(plan, peak, most);
     ASSERT_TRUE(course.record.stage.has_value());
     seen[static_cast<std::size_t>(*course.record.stage)] = true;
-    const std::string text = tuning_text(course.view());
+    const std::string text = text_of(course.view());
     EXPECT_THAT(text, HasSubstr("Not at its end: "));
-    EXPECT_EQ(text, tuning_text(course.view()));
-    EXPECT_FALSE(tuning_json(course.view()).empty());
+    EXPECT_EQ(text, text_of(course.view()));
+    EXPECT_FALSE(outline_json(tuning_outline(course.view())).empty());
     const std::string standing = tuning_standing(course.view());
     const auto lines = std::ranges::count(standing, '\n');
     EXPECT_GE(lines, 2);
@@ -254,7 +274,7 @@ TEST(TuningText, NamesOfFilesAreShownAsTheyCanBeSeen) {
   course.plan.asked.name = course.plan.asked.team = course.plan.asked.question = course.plan.opponents[0].label =
       course.file = "a\nb\x1b[31m\u202e\xff";
   course.plan.parameters[0].path = course.plan.parameters[0].unit = "p\nq\x1b";
-  for (const std::string& text : {tuning_text(course.view()), tuning_standing(course.view())}) {
+  for (const std::string& text : {text_of(course.view()), tuning_standing(course.view())}) {
     EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\u202e")), Not(HasSubstr("a\nb")),
                             Not(HasSubstr("p\nq")), HasSubstr("a\\nb")));
   }

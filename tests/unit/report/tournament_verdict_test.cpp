@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "report/verdict_sentence.hpp"
+#include "report/tournament_verdict.hpp"
 
 #include <gmock/gmock.h>
-
-#include <regex>
 
 #include "course.hpp"
 #include "report/elo_interval.hpp"
@@ -16,15 +14,14 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string plain(const std::string& html) { return std::regex_replace(html, std::regex("<[^>]*>"), ""); }
-std::string sentence(const Course& course) { return plain(verdict_sentence(course.view()).sentence.str()); }
+std::string sentence(const Course& course) { return plain(tournament_verdict(course.view()).sentence); }
 std::string beside(const Course& course) {
   std::string out;
-  for (const Html& each : verdict_sentence(course.view()).beside) out += plain(each.str()) + '\n';
+  for (const Sentence& each : tournament_verdict(course.view()).beside) out += plain(each) + '\n';
   return out;
 }
 
-TEST(VerdictSentence, OfAFixedNumberOfPairs) {
+TEST(TournamentVerdict, OfAFixedNumberOfPairs) {
   Course clear({"new", "old"}, 290);
   clear.take_pairs({{34, 54, 63, 64, 75}});
   EXPECT_EQ(sentence(clear), "new is stronger than old.");
@@ -40,7 +37,7 @@ TEST(VerdictSentence, OfAFixedNumberOfPairs) {
 }
 
 // Who stops where it looks good must not be told that it is a finding.
-TEST(VerdictSentence, NothingIsFoundBeforeTheEnd) {
+TEST(TournamentVerdict, NothingIsFoundBeforeTheEnd) {
   Course course({"new", "old"}, 291);
   EXPECT_THAT(sentence(course), HasSubstr("nothing can be said"));
   course.take_pairs({{34, 54, 63, 64, 75}});
@@ -50,7 +47,7 @@ TEST(VerdictSentence, NothingIsFoundBeforeTheEnd) {
 
 // Beside "do not show" stands no interval that leaves nought out, beside "is stronger" none that holds it, and none at
 // all of fewer than ten pairs that were not even; of any counts.
-TEST(VerdictSentence, AndItsIntervalDoNotContradictEachOther) {
+TEST(TournamentVerdict, AndItsIntervalDoNotContradictEachOther) {
   EXPECT_THAT(
       [] {
         Course few({"new", "old"}, 3);
@@ -92,14 +89,14 @@ TEST(VerdictSentence, AndItsIntervalDoNotContradictEachOther) {
   EXPECT_EQ(sentence(all), "new is stronger than old.");
 }
 
-TEST(VerdictSentence, OfEqualTeams) {
+TEST(TournamentVerdict, OfEqualTeams) {
   Course course({"a", "b"}, 2);
   course.plan.teams[1].inputs = course.plan.teams[0].inputs;
   course.take_pairs({{0, 0, 2, 0, 0}});
   EXPECT_THAT(sentence(course), HasSubstr("are the same team"));
 }
 
-TEST(VerdictSentence, OfATestOfScores) {
+TEST(TournamentVerdict, OfATestOfScores) {
   const auto after = [](double elo0, double elo1, const std::array<int, 5>& pairs, std::uint64_t most = 100000) {
     Course course({"new", "old"}, most, sprt(elo0, elo1));
     course.take_pairs({pairs});
@@ -120,7 +117,7 @@ TEST(VerdictSentence, OfATestOfScores) {
   EXPECT_THAT(after(0, 20, {9, 0, 0, 0, 9}, 18), HasSubstr("With 95 % confidence new is between"));
 }
 
-TEST(VerdictSentence, SaysWhatATestOfFewUnevenPairsRestsOn) {
+TEST(TournamentVerdict, SaysWhatATestOfFewUnevenPairsRestsOn) {
   const auto after = [](const std::array<int, 5>& pairs, std::uint64_t most) {
     Course course({"new", "old"}, most, sprt(0, 50));
     course.take_pairs({pairs});
@@ -136,7 +133,7 @@ TEST(VerdictSentence, SaysWhatATestOfFewUnevenPairsRestsOn) {
   EXPECT_EQ(after({0, 5, 20, 5, 0}, 30), "The test ended without a verdict on new and old.");
 }
 
-TEST(VerdictSentence, OfATestOfGoals) {
+TEST(TournamentVerdict, OfATestOfGoals) {
   Course course({"new", "old"}, 100000, study::ValueTest{study::goals_value, 0.05});
   course.take_pairs({{0, 0, 0, 0, 1000}});
   EXPECT_EQ(sentence(course), "new scores more goals than old.");
@@ -145,7 +142,7 @@ TEST(VerdictSentence, OfATestOfGoals) {
   EXPECT_EQ(sentence(other), "old scores more goals than new.");
 }
 
-TEST(VerdictSentence, OfATestOfAMetric) {
+TEST(TournamentVerdict, OfATestOfAMetric) {
   Course course({"new", "old"}, 100000, study::ValueTest{"packets", 0.05});
   for (int pair = 0; pair < 200; ++pair) {
     course.take(match(0, 0, R"({"packets":[3,5]})"));
@@ -154,7 +151,7 @@ TEST(VerdictSentence, OfATestOfAMetric) {
   EXPECT_EQ(sentence(course), "new mostly has less packets than old.");
 }
 
-TEST(VerdictSentence, OfARoundRobin) {
+TEST(TournamentVerdict, OfARoundRobin) {
   Course clear({"a", "b", "c"}, 40);
   clear.take_pairs({{30, 5, 5, 0, 0}, {0, 5, 5, 5, 25}, {0, 0, 0, 5, 35}});
   EXPECT_EQ(sentence(clear), "b leads 3 teams. It is stronger than a, the second team.");
@@ -171,7 +168,7 @@ TEST(VerdictSentence, OfARoundRobin) {
   EXPECT_THAT(sentence(unplayed), HasSubstr("nothing can be said"));
 }
 
-TEST(VerdictSentence, OfAGauntlet) {
+TEST(TournamentVerdict, OfAGauntlet) {
   Course course({"a", "b", "c", "d"}, 40);
   course.plan.asked.format = config::Tournament::Format::gauntlet;
   course.tournament.emplace(course.plan);
@@ -179,7 +176,7 @@ TEST(VerdictSentence, OfAGauntlet) {
   EXPECT_EQ(sentence(course), "a against 3 others: stronger than 1, weaker than 1, open for 1.");
 }
 
-TEST(VerdictSentence, OfAGauntletCountsEachWay) {
+TEST(TournamentVerdict, OfAGauntletCountsEachWay) {
   Course course({"new", "weak", "feeble", "faint", "strong"}, 40);
   course.plan.asked.format = config::Tournament::Format::gauntlet;
   course.tournament.emplace(course.plan);
@@ -187,7 +184,7 @@ TEST(VerdictSentence, OfAGauntletCountsEachWay) {
   EXPECT_EQ(sentence(course), "new against 4 others: stronger than 3, weaker than 1, open for 0.");
 }
 
-TEST(VerdictSentence, ForfeitsAreTold) {
+TEST(TournamentVerdict, ForfeitsAreTold) {
   Course course({"good", "bad"}, 20);
   course.plan.asked.failures_in_a_row = 2;
   course.tournament.emplace(course.plan);
@@ -198,11 +195,11 @@ TEST(VerdictSentence, ForfeitsAreTold) {
                     HasSubstr("2 matches of 2 were forfeited")));
 }
 
-TEST(VerdictSentence, NamesAreEscaped) {
+TEST(TournamentVerdict, NamesAreEscaped) {
   Course course({"<script>alert(1)</script>", "b"}, 2);
   course.take_pairs({{0, 0, 2, 0, 0}});
-  const VerdictSentence verdict = verdict_sentence(course.view());
-  EXPECT_THAT(verdict.sentence.str(), AllOf(HasSubstr("<bdi>&lt;script&gt;"), Not(HasSubstr("<script"))));
+  const TournamentVerdict verdict = tournament_verdict(course.view());
+  EXPECT_THAT(html(verdict.sentence).str(), AllOf(HasSubstr("<bdi>&lt;script&gt;"), Not(HasSubstr("<script"))));
 }
 
 }  // namespace

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A tournament as JSON.
-
+// A tournament for programs: every number in full.
 #include "report/match_remarks.hpp"
+#include "report/number_json.hpp"
 #include "report/packets_spent.hpp"
 #include "report/standing.hpp"
-#include "report/tournament.hpp"
+#include "report/tournament_outline.hpp"
 #include "texts/json.hpp"
 
 namespace regista::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
-
-// An infinite bound becomes null.
-Json interval(const statistics::Interval& bounds) { return Json::array({bounds.low, bounds.high}); }
 
 Json score_test(const statistics::SequentialTest<statistics::PairCounts>& test) {
   const auto& design = test.design();
@@ -36,7 +31,7 @@ Json metric(const study::Meeting& meeting, const study::ValueTest& test) {
           {"alpha", test.alpha},
           {"means", {metric.first().mean(), metric.second().mean()}},
           {"difference", estimate.value},
-          {"interval", interval(estimate.interval)},
+          {"interval", json_of(estimate.interval)},
           {"pairs_less_equal_more", metric.signs()},
           {"p", metric.test().p()},
           {"pairs_without", meeting.pairs_without_metric}};
@@ -60,22 +55,22 @@ Json meeting_json(const TournamentView& view, const study::Meeting& meeting, con
   out["goals"] = meeting.goals;
   if (const std::optional<Strength> known = strength(view.course, meeting)) {
     out["elo"] = known->elo.value;
-    out["elo_interval"] = interval(known->elo.interval);
+    out["elo_interval"] = json_of(known->elo.interval);
     out["nelo"] = known->normalized_elo.value;
-    out["nelo_interval"] = interval(known->normalized_elo.interval);
+    out["nelo_interval"] = json_of(known->normalized_elo.interval);
     out["los"] = known->superiority;
-    out["p"] = p.first ? Json(*p.first) : Json(nullptr);
-    out["p_holm"] = p.second ? Json(*p.second) : Json(nullptr);
-    out["pair_ratio"] = or_null(known->pair_ratio);
-    out["variance_ratio"] = {{"scores", or_null(known->score_ratio)}, {"goals", or_null(known->goals_ratio)}};
+    out["p"] = json_or_null(p.first);
+    out["p_holm"] = json_or_null(p.second);
+    out["pair_ratio"] = json_or_null(known->pair_ratio);
+    out["variance_ratio"] = {{"scores", json_or_null(known->score_ratio)}, {"goals", json_or_null(known->goals_ratio)}};
     Json goals{{"mean", meeting.goals_of_pairs.mean()},
                {"standard_deviation", meeting.goals_of_pairs.standard_deviation()},
-               {"confidence_sequence", interval(meeting.goals_sequence.interval())}};
+               {"confidence_sequence", json_of(meeting.goals_sequence.interval())}};
     // A t test holds for a number of pairs that nobody chose by looking.
     if (p.first && known->goals_t && meeting.unplayed_pairs == 0) {
       goals["t"] = known->goals_t->t;
       goals["t_p"] = known->goals_t->p;
-      goals["t_interval"] = interval(known->goals_t->interval);
+      goals["t_interval"] = json_of(known->goals_t->interval);
     }
     out["goals_per_match"] = goals;
   }
@@ -86,16 +81,15 @@ Json meeting_json(const TournamentView& view, const study::Meeting& meeting, con
 
 }  // namespace
 
-std::string tournament_json(const TournamentView& view) {
+Json tournament_data(const TournamentView& view) {
   const study::Tournament& course = view.course;
   const auto label = [&](std::size_t team) { return view.plan.teams[team].label; };
   Json out;
-  out["played"] = played_json(what_was_played(view.plan));
   Json teams = Json::array();
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
     teams.push_back({{"name", label(team)},
                      {"file", view.plan.asked.teams[team].team},
-                     {"failures", course.failures()[team]},
+                     {"failures", course.forfeits().of_team()[team]},
                      {"packets_of_short_games", packets_json(course.packets(team))}});
   }
   if (!view.plan.asked.name.empty()) {
@@ -130,7 +124,7 @@ std::string tournament_json(const TournamentView& view) {
     for (const Ranked& team : ranking(view.plan, course)) {
       ranks.push_back({{"team", label(team.team)},
                        {"elo", team.elo ? Json(team.elo->value) : Json(nullptr)},
-                       {"elo_interval", team.elo ? interval(team.elo->interval) : Json(nullptr)},
+                       {"elo_interval", team.elo ? json_of(team.elo->interval) : Json(nullptr)},
                        {"nash", team.nash},
                        {"points", team.points},
                        {"games", team.matches},
@@ -138,16 +132,7 @@ std::string tournament_json(const TournamentView& view) {
     }
     out["ranking"] = ranks;
   }
-  Json forfeits = Json::array();
-  for (const study::Forfeits& each : course.forfeits()) {
-    forfeits.push_back({{"team", label(each.team)},
-                        {"plugin", each.failure.plugin},
-                        {"call", each.failure.call},
-                        {"what", each.failure.what},
-                        {"matches", each.count},
-                        {"again", view.again(each.first_match)}});
-  }
-  out["forfeits"] = forfeits;
+  out["forfeits"] = forfeits_json(course.forfeits(), forfeit_words(view), "team");
   Json set_aside = Json::array();
   for (const study::SetAside& each : course.set_aside()) {
     set_aside.push_back({{"team", label(each.team)},
@@ -157,10 +142,8 @@ std::string tournament_json(const TournamentView& view) {
   }
   out["set_aside"] = set_aside;
   out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
-  add_doubts(course.remarks(), out);
   out["allow_shared_memory"] = view.plan.limits().allow_shared_memory;
-  add_notes(course.remarks(), out);
-  return out.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  return out;
 }
 
 }  // namespace regista::report

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: MIT
+// What the matches of a tournament were like: goal differences, how well the teams were coordinated, what they sent,
+// and recordings to look at.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "report/csv_text.hpp"
+#include "report/number.hpp"
+#include "report/packets_spent.hpp"
+#include "report/role_names.hpp"
+#include "report/tournament_outline.hpp"
+#include "texts/message.hpp"
+#include "texts/visible.hpp"
+
+namespace regista::report {
+namespace {
+
+constexpr std::size_t most_teams = 40;  // of which the roles are shown
+
+// Hundreds need less behind the point, and have less room.
+int digits_of(double value, int digits) { return std::abs(value) < 100.0 ? digits : std::min(digits, 1); }
+
+Cell mean_of(const statistics::Moments* moments, int digits) {
+  if (moments == nullptr || moments->count() == 0) return "–";
+  return fixed(moments->mean(), digits_of(moments->mean(), digits));
+}
+
+// Of first less second. Stressed where the interval leaves zero out.
+Cell difference_of(const study::MetricDifference* difference, int digits) {
+  if (difference == nullptr) return "–";
+  const statistics::Estimate estimate = difference->estimate();
+  digits = digits_of(estimate.value, digits);
+  if (!estimate.interval.bounded()) return with_sign(estimate.value, digits);
+  digits = digits_of(estimate.margin(), digits);
+  Cell out = fmt::format("{} ± {}", with_sign(estimate.value, digits), fixed(estimate.margin(), digits));
+  out.stressed = !estimate.interval.contains(0.0);
+  return out;
+}
+
+struct Measure {
+  std::string title, path;
+  int digits = 2;
+};
+
+// Numbers of two teams beside each other.
+Table compared(const TournamentView& view, const MatchNumbers& numbers, const char* title,
+               const std::vector<Measure>& measures) {
+  Table out{{{title, Column::words}, {named(view.label(0))}, {named(view.label(1))}, {"difference"}}};
+  for (const auto& [name, path, digits] : measures) {
+    out.row({name, mean_of(numbers.find(0, path), digits), mean_of(numbers.find(1, path), digits),
+             difference_of(numbers.difference(path), digits)});
+  }
+  return out;
+}
+
+// Measures in columns, a row for each team.
+Table by_team(const TournamentView& view, const MatchNumbers& numbers, std::size_t teams, const char* title,
+              const std::vector<Measure>& measures) {
+  Table out{{{title, Column::words}}};
+  for (const Measure& each : measures) out.headings.push_back({each.title});
+  for (std::size_t team = 0; team < teams; ++team) {
+    std::vector<Cell> cells{named(view.label(team))};
+    for (const Measure& each : measures) cells.push_back(mean_of(numbers.find(team, each.path), each.digits));
+    out.row(std::move(cells));
+  }
+  return out;
+}
+
+// The same, teams in columns.
+Table by_measure(const TournamentView& view, const MatchNumbers& numbers, std::size_t teams, const char* title,
+                 const std::vector<Measure>& measures) {
+  Table out{{{title, Column::words}}};
+  for (std::size_t team = 0; team < teams; ++team) out.headings.push_back({named(view.label(team))});
+  for (const Measure& each : measures) {
+    std::vector<Cell> cells{named(each.title)};
+    for (std::size_t team = 0; team < teams; ++team)
+      cells.push_back(mean_of(numbers.find(team, each.path), each.digits));
+    out.row(std::move(cells));
+  }
+  return out;
+}
+
+std::string spaced(std::string words) {
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+Sentence mark(const char* team) { return {Sentence::Kind::mark, team}; }
+
+Table roles_of_two(const MatchNumbers& numbers, const std::vector<std::string>& roles) {
+  Table out{{{"Role", Column::words}}};
+  for (const char* title : {"overlap, s: ", "uncovered, s: ", "switches: "}) {
+    out.headings.insert(out.headings.end(), {{Sentence(title) << mark("first")}, {mark("second")}, {"difference"}});
+  }
+  const auto add = [&](Cell title, const std::string& prefix) {
+    std::vector<Cell> cells{std::move(title)};
+    for (const char* measure : role_measures) {
+      const std::string path = prefix + measure;
+      cells.insert(cells.end(), {mean_of(numbers.find(0, path), 2), mean_of(numbers.find(1, path), 2),
+                                 difference_of(numbers.difference(path), 2)});
+    }
+    out.row(std::move(cells));
+  };
+  for (const std::string& role : roles) add(named(role), role + '.');
+  add(strong("all roles"), "");
+  out.look = Table::Look::tight;
+  return out;
+}
+
+void add_roles_of_several(const TournamentView& view, const MatchNumbers& numbers,
+                          const std::vector<std::string>& roles, std::size_t teams, Section& out) {
+  out.table(by_team(view, numbers, teams, "All roles together, per match",
+                    {{"overlap, s", role_measures[0], 1},
+                     {"uncovered, s", role_measures[1], 1},
+                     {"switches", role_measures[2], 1},
+                     {"agreement, share of time", "agreement", 3}}));
+  constexpr std::array<const char*, role_measures.size()> titles{"Overlap, s per match", "Uncovered, s per match",
+                                                                 "Switches per match"};
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    std::vector<Measure> measures;
+    for (const std::string& role : roles) measures.push_back({role, role + '.' + role_measures[i], 1});
+    Table table = by_measure(view, numbers, teams, "Role", measures);
+    table.summary = fmt::format("{}, by role", titles[i]);
+    out.table(std::move(table));
+  }
+}
+
+// Rows of teams, columns of differences.
+Table goals_of_several(const TournamentView& view, const CourseRecord& record) {
+  constexpr int shown = 5;
+  Table out{{{"Matches by goal difference", Column::words}}};
+  for (int difference = -shown; difference <= shown; ++difference) {
+    const char* const sign = std::abs(difference) < shown ? "" : difference < 0 ? "≤ " : "≥ ";
+    out.headings.push_back({fmt::format("{}{}{}", sign, difference > 0 ? "+" : "", difference)});
+  }
+  out.look = Table::Look::heat;
+  out.file = "goal_differences.csv";
+  out.csv = "team,goal_difference,played,forfeited\n";
+  for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
+    const GoalDifferences& counts = record.goals_of(team);
+    std::array<std::uint64_t, 2 * shown + 1> columns{};
+    std::uint64_t all = 0;
+    for (int difference = -GoalDifferences::largest; difference <= GoalDifferences::largest; ++difference) {
+      const auto at = static_cast<std::size_t>(difference + GoalDifferences::largest);
+      const std::uint64_t matches = counts.played[at] + counts.forfeited[at];
+      columns[static_cast<std::size_t>(std::clamp(difference, -shown, shown) + shown)] += matches;
+      all += matches;
+      out.csv += fmt::format("{},{},{},{}\n", csv_field(texts::visible(view.label(team))), difference,
+                             counts.played[at], counts.forfeited[at]);
+    }
+    if (team >= most_teams) continue;
+    std::vector<Cell> cells{named(view.label(team))};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      Cell& cell = cells.emplace_back(columns[i]);
+      cell.series = i < shown ? 2 : i == shown ? 8 : 1;
+      cell.ground = all == 0 ? 0.0 : 45.0 * static_cast<double>(columns[i]) / static_cast<double>(all);
+    }
+    out.row(std::move(cells));
+  }
+  return out;
+}
+
+// Of games that are shorter than a match, whose budget is that of a whole one.
+void add_share_of_packets(const TournamentView& view, Section& out) {
+  bool overspent = false;
+  for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
+    const study::PacketsSpent packets = view.course.packets(team);
+    const std::string clause = packets_clause(packets);
+    if (!clause.empty()) out.line(named(view.label(team)) << ' ' + clause + '.');
+    overspent = overspent || (packets.games() > 0 && packets.overspent());
+  }
+  if (overspent) {
+    out.line(
+        "A team that overspends here would run out of packets in a whole match. With --set "
+        "rules.messages.short_games=share a short game has its share of them.");
+  }
+}
+
+}  // namespace
+
+Section goals_section(const TournamentView& view, const CourseRecord& record) {
+  Section out("goals", "Goal differences");
+  if (view.course.matches() == 0) return out;
+  if (view.plan.teams.size() == 2)
+    out.figures({"goal_differences"});
+  else
+    out.table(goals_of_several(view, record), Readers::page);
+  return out;
+}
+
+Section roles_section(const TournamentView& view, const CourseRecord& record,
+                      std::span<const match::MetricRow> metrics) {
+  Section out("roles", "Coordination");
+  const std::size_t teams = std::min(view.plan.teams.size(), most_teams);
+  const MatchNumbers& numbers = record.numbers();
+  const std::vector<std::string> roles = role_names(numbers, teams);
+  if (roles.empty()) return out;
+  out.line(
+      "Overlap: two robots hold the role at once. Uncovered: no robot holds the role although it is wanted. Switches: "
+      "a "
+      "robot takes a role that it did not hold. The numbers are means of the matches played to their end.");
+  if (teams > 2) {
+    add_roles_of_several(view, numbers, roles, teams, out);
+    return out;
+  }
+  out.figures({"roles"}, Figures::Look::wide);
+  out.note(mark("first") << named(view.label(0)) << "   " << mark("second") << named(view.label(1)));
+  out.table(roles_of_two(numbers, roles));
+  std::vector<Measure> others;
+  for (const match::MetricRow& row : metrics) {
+    if (!row.title.empty() && numbers.find(0, row.name) != nullptr) others.push_back({row.title, row.name, row.digits});
+  }
+  out.table(compared(view, numbers, "Of a match", others));
+  out.note(
+      "± is half of an anytime-valid 95 % interval, for many pairs. Bold: the interval leaves out 0. With so many "
+      "numbers some do by chance.");
+  return out;
+}
+
+Section packets_section(const TournamentView& view, const CourseRecord* record) {
+  Section out("packets", "Packets");
+  if (record != nullptr) {
+    const std::size_t teams = std::min(view.plan.teams.size(), most_teams);
+    const MatchNumbers& numbers = record->numbers();
+    std::vector<std::string> reasons = packet_reasons(numbers, teams);
+    const auto without =
+        std::erase_if(reasons, [&](const std::string& reason) { return sent_none(numbers, teams, reason); });
+    std::vector<Measure> measures;
+    for (const std::string& reason : reasons) measures.push_back({spaced(reason), packets_prefix + reason, 2});
+    measures.push_back({"all", "packets", 2});
+    if (!reasons.empty() || without > 0) {
+      if (teams == 2) {
+        out.figures({"packets"});
+        out.table(compared(view, numbers, "Packets per match", measures));
+      } else {
+        for (Measure& each : measures) each.digits = 1;
+        out.table(by_team(view, numbers, teams, "Packets per match", measures));
+      }
+      if (without > 0) out.note(fmt::format("{} other events caused no packet.", without));
+    }
+  }
+  add_share_of_packets(view, out);
+  return out;
+}
+
+Section plugins_section(const TournamentView& view, const CourseRecord& record) {
+  Section out("plugins", "Numbers of plugins");
+  const std::size_t teams = std::min(view.plan.teams.size(), most_teams);
+  const MatchNumbers& numbers = record.numbers();
+  std::vector<Measure> measures;
+  for (const std::string& path : plugin_metrics(numbers, teams)) {
+    std::string title = path.substr(path.find('.') + 1);  // "count_crossings: crossings"
+    title.replace(title.find('.'), 1, ": ");
+    measures.push_back({title, path, 3});
+  }
+  if (measures.empty()) return out;
+  out.line(Sentence("Plugins count these themselves; ") << code("regista plugin info ID") << " says what they mean.");
+  out.table(teams == 2 ? compared(view, numbers, "Mean of the matches", measures)
+                       : by_measure(view, numbers, teams, "Mean of the matches", measures));
+  return out;
+}
+
+Section recordings_section(const TournamentView& view, const PageRecordings& recordings,
+                           const std::function<RecordingLink(std::uint64_t match)>& link_to) {
+  Section out("recordings", "Recorded matches");
+  Table table{{{"Row"},
+               {"Match", Column::words},
+               {"Score"},
+               {"Seed"},
+               {"Opening", Column::words},
+               {"Recording", Column::words},
+               {"Command that shows it", Column::words}}};
+  for (const RecordedRow& each : recordings.fitting) {
+    const study::Fixture fixture = view.course.calendar().at(each.index);
+    const RecordingLink link = link_to(each.index);
+    Sentence who = named(view.label(fixture.home)) << " – " << named(view.label(fixture.away));
+    if (each.forfeited) who << " (forfeit, as far as it was played)";
+    table.row({each.index + 1, who, fmt::format("{}:{}", each.score[0], each.score[1]), fixture.seed,
+               scene_of(view, fixture).empty() ? "–" : scene_of(view, fixture),
+               Sentence(Sentence::Kind::link, link.path), code(link.command)});
+  }
+  if (!table.rows.empty()) out.line("Run the commands in the folder of this page.");
+  out.table(std::move(table));
+  if (recordings.not_read > 0)
+    out.note(fmt::format("{} not read.", texts::counted(recordings.not_read, "more file", "more files")));
+  return out;
+}
+
+}  // namespace regista::report
