@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "cli/study_commands.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "process/temporary_folder.hpp"
-#include "cli/study_commands.hpp"
 #include "report/experiment.hpp"
 #include "report/outline.hpp"
 #include "report/tournament.hpp"

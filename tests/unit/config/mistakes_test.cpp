@@ -30,8 +30,7 @@ std::string with(std::string text, const Planted& planted) {
 void read_any(const Node& document, Mistakes& mistakes) {
   const DocumentKind& kind = kind_of(document);
   kind.with_values(document, mistakes, [](const Map&) {});
-  if (kind == DocumentKind::opening)
-    check(read_document<Opening>(document, mistakes), Rules{}, {}, document, mistakes);
+  if (kind == DocumentKind::opening) check(read_document<Opening>(document, mistakes), Rules{}, {}, document, mistakes);
   if (kind == DocumentKind::team) check(read_document<Team>(document, mistakes), Rules{}, document, mistakes);
 }
 
