@@ -173,7 +173,8 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
   std::vector<std::string> folders = stored ? stored->job.plugins : options.plugins;
   // Its documents may be read in another folder.
   for (std::string& each : folders) each = stored ? std::filesystem::absolute(each).string() : each;
-  const plugin::Catalogue catalogue = open_plugins(folders, invocation);
+  const plugin::Catalogue catalogue =
+      stored ? results::open_stored_plugins(options.from, folders, invocation) : open_plugins(folders, invocation);
   std::unique_ptr<campaign::StoredSetup> as_then;
   if (stored) {
     as_then = set_up(*stored, catalogue, invocation.arguments.front());

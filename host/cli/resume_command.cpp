@@ -107,7 +107,7 @@ int play(ResumeOptions options, output::OutputFiles outputs, const Invocation& i
     throw BadInput(fmt::format("resume: {}: {}", file, error.what()));
   }
   options.plugins = jobs.empty() ? std::vector<std::string>() : jobs.front().plugins;
-  const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  const plugin::Catalogue catalogue = results::open_stored_plugins(file, options.plugins, invocation);
   require_unchanged(file, jobs, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "cli/study_commands.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <utility>
+#include <string_view>
 
 #include "cli/plugin_folders.hpp"
 #include "results/results_file.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 
@@ -14,11 +17,28 @@ const results::StudyKind& study_kind(const config::DocumentKind& document) {
                                [&](const results::StudyKind& each) { return each.document == document; });
 }
 
+// A study that is played again says what it was played with.
+static void name_missing_plugins(const config::Node& document, const plugin::Catalogue& catalogue) {
+  constexpr std::string_view kind = "plugin ";
+  for (const config::Node& line : document["played_with"].elements()) {
+    if (line.kind() != config::Node::Kind::scalar || !line.text().starts_with(kind)) continue;
+    const std::string id = line.text().substr(kind.size(), line.text().find(' ', kind.size()) - kind.size());
+    const bool there =
+        std::ranges::any_of(catalogue.plugins(), [&](const auto& each) { return each.descriptor->id == id; });
+    if (there) continue;
+    complain(
+        to_string(line.where()) +
+        texts::one_line(fmt::format(
+            ": it was played with the plugin {}, which none of the folders has; name its folder: --plugins DIR", id)));
+  }
+}
+
 results::PlannedStudy planned(const results::StudyKind& kind, StudyOptions& options, output::OutputFiles& outputs,
                               const Invocation& invocation) {
   campaign::check(options);
   const config::Node document = config::requested(options.asked(), kind.document);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
+  name_missing_plugins(document, catalogue);
   results::PlannedStudy out = kind.plan(document, options.plugins, catalogue);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();

@@ -31,4 +31,9 @@ struct Invocation {
 // Throws config::Error for a folder of an option that is none.
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
 
+// The same for what is stored in a file of results, whose folders these are. Throws BadInput for one that is gone, with
+// what to write instead.
+plugin::Catalogue open_stored_plugins(const std::string& file, const std::vector<std::string>& folders,
+                                      const Invocation& invocation);
+
 }  // namespace regista::results

@@ -4,6 +4,7 @@
 import contextlib
 import json
 import os
+import pathlib
 import re
 import shutil
 import sqlite3
@@ -139,6 +140,25 @@ class Files(program.ShippedCase):
         self.assertRegex(remarks, r"a/teams/far\.yaml names \S+/a/teams/paper\.yaml from the root")
         self.assertIn(f"needs --plugins {self.folder}/more\n", remarks)
         self.assertEqual(played, hashes(self.folder / "t.db"))
+
+    def test_a_study_whose_plugins_are_gone(self):
+        (self.folder / "mine").mkdir()
+        shutil.copy(pathlib.Path(os.environ["REGISTA_TEST_PLUGINS"]) / "bids" / "bids.so", self.folder / "mine")
+        self.write("a/teams/bids.yaml", "extends: paper.yaml\nteam: bids\nassigner: {plugin: bids}\n")
+        self.succeed("tournament", "--team", "a/teams/bids.yaml", "--team", "a/teams/paper.yaml", "--pairs", 1,
+                     "--limit", 4, "--quiet", "--no-page", "--results", "t.db", "--plugins", "mine")
+        self.assertIn(f"needs --plugins {self.folder}/mine\n", self.run_program("report", "t.db", "--study", "again").stderr)
+        shutil.move(self.folder / "mine", self.folder / "yours")
+        for words in (("resume", "t.db"), ("match", "--from", "t.db", "--row", "1")):
+            line = self.refused(*words, "--quiet")
+            self.assertIn(f"t.db: it was played with the plugins of {self.folder}/mine, which is no folder any more", line)
+            self.assertIn("regista report t.db --study again, then regista run again/study.yaml --plugins DIR", line)
+        missing = self.run_program("run", "again/study.yaml", "--quiet", "--no-page")
+        self.assertEqual(missing.returncode, 2)
+        self.assertRegex(missing.stderr, r"study\.yaml:\d+:\d+: it was played with the plugin bids, which none of the folders "
+                                         r"has; name its folder: --plugins DIR\n.*unknown assigner \"bids\"")
+        self.succeed("run", "again/study.yaml", "--quiet", "--no-page", "--plugins", "yours", "--results", "new.db")
+        self.assertEqual(hashes(self.folder / "new.db"), hashes(self.folder / "t.db"))
 
     def test_a_file_with_the_name_of_a_built_in_profile(self):
         rules = (self.folder / "a/rules/spl2023.yaml").read_text()
