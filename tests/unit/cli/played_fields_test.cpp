@@ -14,6 +14,7 @@
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "process/temporary_folder.hpp"
+#include "report/evaluation_report.hpp"
 #include "report/experiment.hpp"
 #include "report/outline.hpp"
 #include "report/tournament.hpp"
@@ -87,8 +88,21 @@ verification: {candidates: 2, matches: 600, against: base, test: symmetric, conf
 slices: {points: 3, pairs: 6}
 )";
 
+constexpr auto prediction = R"(
+predictor_study: ours
+format: ssl_robots
+subject: opponents
+predictor: {plugin: imm, file: imm.so, params: {gate: 9}}
+field: {length: 12, width: 9}
+robot_radius: 0.08
+camera: {noise: 0.004, range: 20}
+observations: {every: 0.5, drop: 0.25, seed: 7}
+questions: {every: 5, horizons: [0.2, 0.4, 0.6, 0.8], tolerance: 0.01, memory: 2, step: 0.05}
+baselines: {window: 0.2, least: 6, time_constant: 0.5}
+)";
+
 // Keys that go with others than those above, and are asked for in documents of their own.
-const std::vector<std::string> alternatives{"test.metric", "minutes", "objective.maximise"};
+const std::vector<std::string> alternatives{"test.metric", "minutes", "objective.maximise", "baselines.deceleration"};
 
 void expect_keys(const config::Map& declared, const Json& said, const Json& usual, const std::string& path) {
   for (const config::Field& each : declared.fields) {
@@ -177,6 +191,15 @@ TEST(PlayedFields, OfATuning) {
   plan.folder = "/somewhere";
   plan.asked = read<config::Tuning>(std::string(tuning) + settings);
   expect_said(plan.asked, report::what_was_played(plan));
+}
+
+// It has no page and no folder: one command plays a document and a recording.
+TEST(PlayedFields, OfAnEvaluation) {
+  auto study = read<config::PredictorStudy>(prediction);
+  config::PredictorStudy nothing;
+  const Json said = Json::parse(report::evaluation_json(study, {}, {})).at("evaluated").at("document");
+  expect_keys(declare(study), said, config::to_json(config::values_of(declare(nothing))), "");
+  EXPECT_EQ(said, config::to_json(config::parse_text(prediction, "document.yaml")));
 }
 
 }  // namespace
