@@ -48,47 +48,21 @@ struct DocumentKind {
 // Throws Error at the document when it is of another kind.
 void require_kind(const Node& document, const DocumentKind& kind);
 
-// The kind that a struct declares.
-template <class Document>
-const DocumentKind& declared_kind();
-template <>
-inline const DocumentKind& declared_kind<Rules>() {
-  return DocumentKind::rules;
-}
-template <>
-inline const DocumentKind& declared_kind<Robot>() {
-  return DocumentKind::robot;
-}
-template <>
-inline const DocumentKind& declared_kind<Disturbance>() {
-  return DocumentKind::disturbance;
-}
-template <>
-inline const DocumentKind& declared_kind<Opening>() {
-  return DocumentKind::opening;
-}
-template <>
-inline const DocumentKind& declared_kind<PredictorStudy>() {
-  return DocumentKind::predictor_study;
-}
-template <>
-inline const DocumentKind& declared_kind<Tournament>() {
-  return DocumentKind::tournament;
-}
-template <>
-inline const DocumentKind& declared_kind<Experiment>() {
-  return DocumentKind::experiment;
-}
-template <>
-inline const DocumentKind& declared_kind<Tuning>() {
-  return DocumentKind::tuning;
-}
+// The kind that a struct declares: an overload for each, found by its type.
+inline const DocumentKind& declared_kind(const Rules*) { return DocumentKind::rules; }
+inline const DocumentKind& declared_kind(const Robot*) { return DocumentKind::robot; }
+inline const DocumentKind& declared_kind(const Disturbance*) { return DocumentKind::disturbance; }
+inline const DocumentKind& declared_kind(const Opening*) { return DocumentKind::opening; }
+inline const DocumentKind& declared_kind(const PredictorStudy*) { return DocumentKind::predictor_study; }
+inline const DocumentKind& declared_kind(const Tournament*) { return DocumentKind::tournament; }
+inline const DocumentKind& declared_kind(const Experiment*) { return DocumentKind::experiment; }
+inline const DocumentKind& declared_kind(const Tuning*) { return DocumentKind::tuning; }
 
 // Reads a loaded document, every value checked alone and against the others, telling of every mistake. After one, what
 // is read is good for nothing but to look for more of them.
 template <class Document>
 Document read_document(const Node& document, Mistakes& mistakes) {
-  require_kind(document, declared_kind<Document>());
+  require_kind(document, declared_kind(static_cast<const Document*>(nullptr)));
   Document out;
   read(declare(out), document, "", mistakes);
   check(out, document, mistakes);  // values that are sound one by one, against each other

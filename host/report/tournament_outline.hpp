@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a tournament found: a function of its plan and its results in order, equal to the byte however often it was
+// What a tournament found: a function of its plan and its results in order, equal to the byte whether or not it was
 // stopped and by however many workers it was played. The lines of two teams have the form that users of the test frames
 // of chess engines know.
 #pragma once

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "report/estimate_text.hpp"
-#include "report/objective_numbers.hpp"
 #include "report/thinned.hpp"
 #include "report/tuning_sentences.hpp"
 #include "texts/visible.hpp"

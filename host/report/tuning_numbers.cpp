@@ -5,9 +5,18 @@
 #include <cmath>
 
 #include "statistics/distributions.hpp"
+#include "study/measure.hpp"
 
 namespace regista::report {
 namespace {
+
+// No minus before zero.
+double without_sign_of_nought(double value) { return value == 0.0 ? 0.0 : value; }
+
+statistics::Interval turned(const study::TuningObjective& objective, const statistics::Interval& scores) {
+  const double a = report::of_objective(objective, scores.low), b = report::of_objective(objective, scores.high);
+  return {std::min(a, b), std::max(a, b)};
+}
 
 study::MeanEstimate mean_of(const statistics::Moments& moments, double confidence) {
   study::MeanEstimate out;
@@ -28,6 +37,25 @@ RangeEnd end_of(const study::Parameter& parameter, double value) {
 }
 
 }  // namespace
+
+double of_objective(const study::TuningObjective& objective, double score) {
+  return without_sign_of_nought(study::value_of(objective, score));
+}
+
+statistics::Estimate of_objective(const study::TuningObjective& objective, const statistics::Estimate& score) {
+  return {of_objective(objective, score.value), turned(objective, score.interval)};
+}
+
+study::MeanEstimate of_objective(const study::TuningObjective& objective, study::MeanEstimate score) {
+  score.mean = of_objective(objective, score.mean);
+  if (score.interval) score.interval = turned(objective, *score.interval);
+  return score;
+}
+
+std::string unit_of(const study::TuningObjective& objective) {
+  const bool one = objective.terms.size() == 1 && objective.terms.front().weight == 1.0;
+  return one ? study::unit_of(objective.terms.front().measure) : std::string();
+}
 
 MatchesByStage matches_by_stage(const TuningView& view) {
   const study::TuningPlan& plan = view.plan;

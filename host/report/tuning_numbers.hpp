@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The numbers that a report shows of a tuning, worked out once for its text, its JSON, its figures and its page; values
-// of the objective as that has them (objective_numbers.hpp).
+// of the objective, and differences of them, as the user's objective has them: within a study of numbers a larger score
+// is better, so of a minimised objective the sign is turned back.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +10,20 @@
 #include <string>
 #include <vector>
 
-#include "report/objective_numbers.hpp"
 #include "report/tuning.hpp"
 #include "statistics/interval.hpp"
+#include "study/paired_estimates.hpp"
+#include "study/tuning/tuning_plan.hpp"
 
 namespace regista::report {
+
+// From scores, or differences of scores.
+double of_objective(const study::TuningObjective& objective, double score);
+statistics::Estimate of_objective(const study::TuningObjective& objective, const statistics::Estimate& score);
+study::MeanEstimate of_objective(const study::TuningObjective& objective, study::MeanEstimate score);
+
+// "per match", "min per 60 min"; empty for a weighted sum, whose terms have units of their own.
+std::string unit_of(const study::TuningObjective& objective);
 
 // Matches that the report rests on, by stage. A verification that stopped early has asked for more.
 struct MatchesByStage {

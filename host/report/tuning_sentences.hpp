@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a tuning is, and what came of it, in words. They say "better" only of what was found better on held-out seeds,
-// and never that there is no difference.
+// and never that no difference exists.
 #pragma once
 
 #include <string>

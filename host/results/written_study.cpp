@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 constexpr auto study_file = "study.yaml";
 
-// The kind of study that a document asks for; null: it is none.
+// The kind of study that a document asks for; null: it asks for no study.
 const StudyKind* kind_of(const config::Node& document, std::span<const StudyKind> kinds) {
   const auto found =
       std::ranges::find_if(kinds, [&](const StudyKind& each) { return bool(document[each.document.name]); });

@@ -14,7 +14,7 @@
 
 namespace regista::results {
 
-// documents: that the study was begun with; kinds: the studies that there are. folder: is made, and must not be there.
+// documents: that the study was begun with; kinds: all studies. folder: is made, and must not be there.
 // Returns what does not come along, a line each. Throws BadInput and output::WriteError.
 std::vector<std::string> write_study(const report::WhatWasPlayed& played,
                                      const std::vector<campaign::Document>& documents, std::span<const StudyKind> kinds,

@@ -27,12 +27,8 @@ inline void check(const GoalCount& count, const Node& document, Mistakes& mistak
     refuse(document, {"away", "home"}, "away: the same team as home; a count is of two", mistakes);
 }
 
-template <>
-const DocumentKind& declared_kind<GoalCount>();
+const DocumentKind& declared_kind(const GoalCount*);
 inline constexpr DocumentKind goal_count_kind = document_kind<GoalCount>("goal_count", "Goals of matches, counted.");
-template <>
-inline const DocumentKind& declared_kind<GoalCount>() {
-  return goal_count_kind;
-}
+inline const DocumentKind& declared_kind(const GoalCount*) { return goal_count_kind; }
 
 }  // namespace regista::config

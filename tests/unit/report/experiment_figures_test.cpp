@@ -103,7 +103,7 @@ TEST(ExperimentFigures, TheirPicturesNameEveryArm) {
   }
 }
 
-// What is told is what is drawn: the first arm's mean and its interval.
+// What the table says is what is drawn: the first arm's mean and its interval.
 TEST(ExperimentFigures, TheChartHasTheNumbersOfItsTable) {
   for (const ExperimentPlan& plan : {measuring(2, 1, {"packets"}), measuring(2, 3, {"packets"})}) {
     const Figure figure = figures(plan)[0];
