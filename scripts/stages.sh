@@ -47,7 +47,13 @@ if [[ ! -w ${HOME:-/nonexistent} ]]; then export CCACHE_DIR="$PWD/build/ccache";
 # configure PRESET [OPTION...]: with these parts in addition to what the folder was configured with before (REGISTA_TESTS,
 # REGISTA_BENCHMARKS), so that scripts that need more or less do not rebuild each other's files.
 configure() {
-  local options=(-DREGISTA_WERROR=ON) part cache="build/$1/CMakeCache.txt"
+  local options=(-DREGISTA_WERROR=ON) part cache="build/$1/CMakeCache.txt" from
+  # CMake refuses a folder that it has prepared for another place, and names a file that nobody has to edit.
+  from=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$cache" 2>/dev/null || true)
+  if [[ -n $from && $(realpath -m -- "$from") != "$(pwd -P)" ]]; then
+    echo "build/$1 was made for the checkout in $from; remove it: rm -r build/$1" >&2
+    return 2
+  fi
   for part in REGISTA_TESTS REGISTA_BENCHMARKS; do
     if [[ " ${*:2} " == *" $part "* ]]; then
       options+=("-D$part=ON")

@@ -14,7 +14,7 @@
 #include <fstream>
 
 #include "config/documents.hpp"
-#include "match/replay.hpp"
+#include "match/physics_world.hpp"
 #include "match/teams.hpp"
 #include "teams.hpp"
 
@@ -30,7 +30,7 @@ timeval clock_of_box2d() {
 
 }  // namespace
 
-// In place of the program's own (host/match/arena.cpp).
+// In place of the program's own (host/match/physics_world.cpp).
 b2Timer::b2Timer() { Reset(); }
 void b2Timer::Reset() {
   const timeval now = clock_of_box2d();

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "match/match.hpp"
-#include "match/replay.hpp"
+#include "match/physics_world.hpp"
 #include "scripted.hpp"
 
 namespace regista::match {

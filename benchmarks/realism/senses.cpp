@@ -43,7 +43,7 @@ double deviation(const std::vector<double>& values) {
 Vector kicked(int kind, double distance, std::uint64_t seed) {
   const config::Rules rules;
   const config::Robot robot;
-  match::Arena arena(rules.field, rules.ball, std::array{robot.body});
+  match::PhysicsWorld arena(rules.field, rules.ball, std::array{robot.body});
   match::Body body(robot, rules.ball.rolling_deceleration, seed, match::Side::home, 1);
   const Vector from{-0.5 * distance, 0.0};
   arena.place(0, {from.x - robot.body.reach, 0.0, 0.0});

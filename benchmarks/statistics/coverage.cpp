@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
-// How often intervals of 95 % hold the truth, by simulation: of normalised Elo, Elo, Bradley-Terry and the paired t
-// test, for laws of pairs whose truth is known (tests/unit/statistics/pair_laws.hpp). Tables in Markdown, as
-// docs/statistics.md shows them. A cell: the share of the intervals given that hold the truth; in brackets the share of
-// draws in which an interval was given, where that is not all.
+// How often intervals of 95 % hold the truth and tests at 5 % err, by simulation: scores (and so Elo), LOS, goal
+// differences with Student's t and sign flips, normalised Elo, Bradley-Terry, for laws of pairs whose truth is known
+// (tests/unit/statistics/pair_laws.hpp). Tables in Markdown, as docs/statistics.md shows them. A cell: the share of the
+// intervals given that hold the truth; in brackets the share of draws in which an interval was given, where that is not
+// all.
 //
 //   coverage [DRAWS [SEED]]     default: 10000 draws for each cell, seed 1; of Bradley-Terry less than half
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "pair_laws.hpp"
-#include "statistics/bradley_terry.hpp"
-#include "statistics/distributions.hpp"
-#include "statistics/paired_t.hpp"
+#include "statistics/moments.hpp"
+#include "statistics/paired_tests.hpp"
 #include "statistics/rating.hpp"
 
 namespace {
@@ -41,10 +43,12 @@ std::string written(const Coverage& coverage) {
   return out;
 }
 
+constexpr double central_normal = 1.959963984540054;  // the z of a central interval of 95 % of a normal law
+
 // As it was before the spread was taken as uncertain: +- 347.44 z / sqrt(games).
 Interval with_known_spread(const ScoreLaw& law) {
   const double value = normalized_elo(law).value;
-  const double margin = normalized_elo_scale * central_normal(0.95) / std::sqrt(2.0 * law.units);
+  const double margin = normalized_elo_scale * central_normal / std::sqrt(2.0 * law.units);
   return {value - margin, value + margin};
 }
 
@@ -54,16 +58,14 @@ void of_pairs(Run& run) {
       "| law | pairs | interval of | 0 nElo | 100 nElo | 300 nElo | 600 nElo |\n|---|---|---|---|---|---|---|\n");
   for (const Family family : all_families) {
     for (const int pairs : {20, 100, 1000}) {
-      std::array<Coverage, 4> of_normalized, known, of_elo;
+      std::array<Coverage, 4> of_normalized, known;
       for (std::size_t i = 0; i < normalized.size(); ++i) {
         const PairLaw law = pair_law_of_normalized_elo(family, normalized[i]);
-        const double true_elo = elo_of_score(mean_score(law));
         LawDraws draws(run.seed, run.cell++);
         for (int draw = 0; draw < run.draws; ++draw) {
           const ScoreLaw seen = score_law(draws.pairs(law, pairs));
           of_normalized[i].add(normalized_elo(seen).interval, normalized[i]);
           known[i].add(with_known_spread(seen), normalized[i]);
-          of_elo[i].add(elo(seen).interval, true_elo);
         }
       }
       const auto row = [&](const char* what, const std::array<Coverage, 4>& cells) {
@@ -73,7 +75,6 @@ void of_pairs(Run& run) {
       };
       row("nElo", of_normalized);
       row("nElo, spread as known", known);
-      row("Elo", of_elo);
       std::fflush(stdout);
     }
   }
@@ -142,8 +143,7 @@ void of_rankings(Run& run) {
           }
           if (!found || (*found)[field.teams / 2].interval.unbounded()) continue;
           width += (*found)[field.teams / 2].margin();
-          binomial +=
-              central_normal(0.95) * binomial_deviations(elo, points_won(field.teams, encounters))[field.teams / 2];
+          binomial += central_normal * binomial_deviations(elo, points_won(field.teams, encounters))[field.teams / 2];
         }
         const auto worst = std::ranges::min_element(of_team, {}, &Coverage::share_held);
         const int given = std::max(1, of_team[field.teams / 2].given);
@@ -156,28 +156,100 @@ void of_rankings(Run& run) {
   }
 }
 
-void of_goals(Run& run) {
-  std::printf("| goals a side | 5 pairs | 20 pairs | 100 pairs |\n|---|---|---|---|\n");
-  for (const double goals : {0.25, 1.3}) {
-    std::printf("| %.2f |", goals);
-    for (const int pairs : {5, 20, 100}) {
-      const double mine = goals * 1.3, theirs = goals;
-      Coverage coverage;
-      LawDraws draws(run.seed, run.cell++);
-      std::vector<double> values(static_cast<std::size_t>(pairs));
-      for (int draw = 0; draw < run.draws; ++draw) {
-        for (double& each : values) {
-          const int for_first = draws.poisson(2.0 * mine);
-          const int for_second = draws.poisson(2.0 * theirs);
-          each = 0.5 * (for_first - for_second);
+constexpr std::array sizes{4, 6, 10, 20, 100, 1000};  // pairs
+
+// Fewer draws of many pairs, so that a table takes seconds.
+int draws_of(const Run& run, int pairs) { return pairs > 100 ? std::max(1, run.draws / 4) : run.draws; }
+
+void of_scores(Run& run) {
+  std::printf(
+      "| law | even pairs | pairs | score 0.5 | 0.6 | 0.7 | LOS above 95 %% for equal teams |\n"
+      "|---|---|---|---|---|---|---|\n");
+  std::vector<Family> families(all_families.begin(), all_families.end());
+  families.push_back(Family::even);
+  for (const Family family : families) {
+    for (const int pairs : sizes) {
+      std::array<Coverage, 3> cells;
+      int superior = 0;
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        const double score = 0.5 + 0.1 * static_cast<double>(i);
+        const PairLaw law = pair_law_of_score(family, score);
+        LawDraws draws(run.seed, run.cell++);
+        for (int draw = 0; draw < draws_of(run, pairs); ++draw) {
+          const ScoreLaw seen = score_law(draws.pairs(law, pairs));
+          // As Elo, in which what is not known is infinite.
+          cells[i].add(elo(seen).interval, elo_of_score(mean_score(law)));
+          if (i == 0 && likelihood_of_superiority(seen).value_or(0.5) >= 0.95) ++superior;
         }
-        constexpr double infinite = std::numeric_limits<double>::infinity();
-        const auto found = paired_t(values);
-        coverage.add(found ? found->interval : Interval{-infinite, infinite}, mine - theirs);
       }
-      std::printf(" %s |", written(coverage).c_str());
+      std::printf("| %s | %.0f %% | %d |", name(family), 100.0 * pair_law_of_score(family, 0.5)[2], pairs);
+      for (const Coverage& each : cells) std::printf(" %s |", written(each).c_str());
+      std::printf(" %.1f %% |\n", 100.0 * superior / draws_of(run, pairs));
+      std::fflush(stdout);
     }
-    std::printf("\n");
+  }
+}
+
+// Goals of a match, first and second team, by laws that differ in how many there are and in how they scatter.
+struct GoalLaw {
+  const char* name;
+  double goals;      // of each side, mean
+  double unequal;    // scenes: one side has e^this times the goals, in the second match the other
+  double scattered;  // variance of the strength of a day, which both matches share
+  double forfeits;   // probability that either team forfeits a match 0:10
+};
+constexpr std::array goal_laws{GoalLaw{"football", 1.3, 0.0, 0.0, 0.0}, GoalLaw{"many goals", 4.0, 0.0, 0.0, 0.0},
+                               GoalLaw{"scenes", 0.25, 0.8, 0.0, 0.0}, GoalLaw{"scattered", 1.3, 0.0, 0.5, 0.0},
+                               GoalLaw{"forfeits", 1.3, 0.0, 0.0, 0.02}};
+
+// Of both matches of a pair together. The day makes either team the stronger one as often.
+int goals_of_pair(const GoalLaw& law, double better, LawDraws& draws) {
+  const double day = law.scattered > 0.0 ? (draws.uniform() < 0.5 ? -1.0 : 1.0) * std::sqrt(law.scattered) : 0.0;
+  int out = 0;
+  for (const double side : {1.0, -1.0}) {
+    const double more = std::exp(side * law.unequal + day);
+    int difference = draws.poisson(law.goals * more + better) - draws.poisson(law.goals / more);
+    if (law.forfeits > 0.0) {
+      const double chance = draws.uniform();
+      if (chance < 2.0 * law.forfeits) difference = chance < law.forfeits ? 10 : -10;
+    }
+    out += std::clamp(difference, -10, 10);
+  }
+  return out;
+}
+
+void of_goals(Run& run) {
+  std::printf(
+      "| law of goals | pairs | Student's t, equal | better team | sign flips reject equal teams |\n"
+      "|---|---|---|---|---|\n");
+  constexpr int for_truth = 2'000'000;
+  constexpr double better = 0.5;  // goals a match
+  for (const GoalLaw& law : goal_laws) {
+    double truth = 0.0;  // clamping takes a little off
+    LawDraws many(run.seed, run.cell++);
+    for (int draw = 0; draw < for_truth; ++draw) truth += goals_of_pair(law, better, many) / 2.0 / for_truth;
+    for (const int pairs : sizes) {
+      Coverage equal, stronger;
+      int rejected = 0;
+      LawDraws draws(run.seed, run.cell++);
+      for (int draw = 0; draw < draws_of(run, pairs); ++draw) {
+        for (const bool even : {true, false}) {
+          Moments moments;
+          WholeCounts counts;
+          for (int pair = 0; pair < pairs; ++pair) {
+            const int goals = goals_of_pair(law, even ? 0.0 : better, draws);
+            ++counts[goals];
+            moments.add(goals / 2.0);
+          }
+          const auto found = pairs < 6 ? std::nullopt : paired_t(moments);
+          (even ? equal : stronger).add(found ? found->interval : Interval{-infinite, infinite}, even ? 0.0 : truth);
+          if (even && sign_flip_p(counts) <= 0.05) ++rejected;
+        }
+      }
+      std::printf("| %s | %d | %s | %s | %.1f %% |\n", law.name, pairs, written(equal).c_str(),
+                  written(stronger).c_str(), 100.0 * rejected / draws_of(run, pairs));
+      std::fflush(stdout);
+    }
   }
 }
 
@@ -189,10 +261,12 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "coverage [DRAWS [SEED]]: expected a number of draws above 0\n");
     return 2;
   }
-  std::printf("Normalised Elo and Elo of pairs\n\n");
+  std::printf("Scores of pairs, and so Elo\n\n");
+  of_scores(run);
+  std::printf("\nGoal differences\n\n");
+  of_goals(run);
+  std::printf("\nNormalised Elo of pairs\n\n");
   of_pairs(run);
   std::printf("\nBradley-Terry\n\n");
   of_rankings(run);
-  std::printf("\nPaired t of the goal difference\n\n");
-  of_goals(run);
 }

@@ -61,7 +61,7 @@ struct Ended {
 Ended after_every_pair(const Law& law, bool corrected, std::mt19937_64& random) {
   SequentialDesign chosen = design;
   chosen.overshoot_correction = corrected;
-  SequentialTest<PairCounts> test(chosen);
+  SequentialTest test(chosen);
   while (test.verdict() == Verdict::inconclusive) test.add(drawn(law, random));
   return {test.verdict() == Verdict::accept_h1, total(test.counts())};
 }

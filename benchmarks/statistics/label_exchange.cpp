@@ -25,13 +25,13 @@
 #include <string>
 #include <vector>
 
-#include "statistics/betting_grid.hpp"
+#include "statistics/anytime_valid_tests.hpp"
 #include "statistics/moments.hpp"
+#include "statistics/paired_tests.hpp"
 #include "statistics/sequential_test.hpp"
-#include "statistics/sign_flip.hpp"
-#include "study/metric_difference.hpp"
 #include "study/paired_estimates.hpp"
-#include "study/tuning/verification.hpp"
+#include "study/tournament_course.hpp"
+#include "study/tuning/tuning_study.hpp"
 
 namespace {
 
@@ -126,15 +126,15 @@ double deviation_of(std::span<const double> first, std::span<const double> secon
 }
 
 bool sequential(const Labelled& told, Model model) {
-  SequentialTest<PairCounts> test({model, {0.0, 50.0}, {alpha, alpha}, true});
+  SequentialTest test({model, {0.0, 50.0}, {alpha, alpha}, true});
   for (const auto& [first, second] : told.matches) test.add(pair_outcome(outcome(first), outcome(second)));
   return test.verdict() == Verdict::accept_h1;
 }
 
 bool signs_of_pairs(const Labelled& told) {
-  PairCounts counts;
-  for (const auto& [first, second] : told.matches) counts.add(pair_outcome(outcome(first), outcome(second)));
-  return sign_flip_p(counts) <= alpha;
+  WholeCounts goals;
+  for (const auto& [first, second] : told.matches) ++goals[first + second];
+  return sign_flip_p(goals) <= alpha;
 }
 
 bool betting(const Labelled& told, double most_goals) {
@@ -212,7 +212,7 @@ int main(int argc, char** argv) {
   const double most = most_goals;
   Rejections errors;
   for (std::size_t i = 0; i < tournaments; ++i) {
-    using enum study::PairTest;
+    using enum regista::config::PairedTest;
     const Labelled& told = all[i];
     const Labelled& before = all[i == 0 ? tournaments - 1 : i - 1];  // what is expected comes from other matches
     const double deviation = deviation_of(before.goals, before.nothing);

@@ -28,7 +28,7 @@
 #include <vector>
 
 #include "study/tuning/search.hpp"
-#include "study/tuning/spsa.hpp"
+#include "study/tuning/stochastic_search.hpp"
 
 namespace {
 
@@ -152,7 +152,7 @@ std::vector<Row> rows() {
   add(Algorithm::spsa, {0.0215, 0.0043, 0.174});
   for (const double factor : {0.5, 1.0, 2.0}) {
     const auto run = [factor](const SearchSettings& settings, const Evaluate& evaluate) {
-      Inquiry inquiry(evaluate, settings.evaluations);
+      Evaluator inquiry(evaluate, settings.evaluations);
       SpsaGains gains = spsa_gains(settings.evaluations / 2);
       gains.r_end *= factor;
       return spsa(settings, inquiry, gains);

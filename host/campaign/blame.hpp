@@ -1,47 +1,58 @@
 // SPDX-License-Identifier: MIT
-// Who is to blame when a match cannot be played to its end. Where both teams think in one process nobody can be: either
-// may have damaged it. So the match is played again with each team's minds in a process of its own, and whose process
-// fails is at fault. What does not come back in three isolated plays blames nobody, and nobody gains by it.
+// Decides who is to blame if a match cannot be played to its end. If both teams share a process, either team may have
+// caused a crash. So the match is replayed "isolated": each team has its own process for its minds. The team whose
+// process fails is to blame. If three isolated plays succeed, the match is set aside, and no team is to blame.
 #pragma once
 
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 
 #include "campaign/job.hpp"
-#include "plugin/call_note.hpp"
+#include "plugin/call_inputs.hpp"
 
 namespace regista::campaign {
 
-// How one play of a match went.
+// Thrown if the campaign cannot continue. what() is one line that says why.
+struct CampaignError : std::runtime_error {
+  enum class Kind {
+    input,    // a file changed while the campaign ran, or cannot be used any more
+    machine,  // too many workers died, or workers died that run no code of plugins
+  };
+  CampaignError(Kind of, const std::string& message) : std::runtime_error(message), kind(of) {}
+  Kind kind;
+};
+
+// The outcome of one play of a match.
 struct Attempt {
-  bool isolated = false;
-  bool played = false;  // to its end; else it failed:
-  // By a signal that people and systems send. The machine may have been out of memory, or somebody tidied up.
+  bool isolated = false;  // true: each team had its own process
+  bool played = false;    // true: the play came to its end; false: the following members describe the failure
+  // true: the process was killed by a signal that people or systems send, for example because the memory was full.
   bool from_outside = false;
-  std::optional<Failure> failure;  // whose process failed, in an isolated play; nothing: that of the match itself
-  std::string what;                // how it failed, one line
+  std::optional<Failure> failure;  // blames the team whose process failed in an isolated play; empty: no team failed
+  std::string what;                // reason of the failure, one line
 };
 
 enum class Judgement {
-  counts,         // the last play's result
-  play_isolated,  // once more
-  forfeit,        // the side of the last failure loses
-  set_aside,      // nobody is to blame, and there is no result
-  give_up,        // something is wrong with the machine, or with this program
+  counts,         // the result of the last play is the result of the match
+  play_isolated,  // the match must be played once more, with one process for each team
+  forfeit,        // the side whose process failed in the last play loses
+  set_aside,      // no team is to blame, and the match has no result
+  give_up,        // the campaign must end, because the machine or this program has a fault
 };
 
-inline constexpr std::size_t isolated_plays = 3;  // that must agree before a death blames nobody
-inline constexpr std::size_t most_failures = 6;   // over one match, until it is given up
+inline constexpr std::size_t isolated_plays = 3;  // judge() decides after this number of equal isolated plays
+inline constexpr std::size_t most_failures = 6;   // failed plays of one match after which the campaign ends
 
-// attempts: all of this match so far; at least one. A failure in an isolated play is its side's, but one by a signal
-// from outside only when it comes in three isolated plays in a row; what such a signal did otherwise is forgotten.
+// Returns what must happen to a match next. attempts: all plays of the match so far, at least one. A team whose process
+// fails in an isolated play (one process for each team) forfeits. Exception: if a signal from outside killed the
+// process, the team forfeits only if the last three plays were isolated and its process failed in each of them.
 Judgement judge(std::span<const Attempt> attempts);
 
-// Why the match was set aside.
 std::string why_set_aside(std::span<const Attempt> attempts);
 
-// The failure of a worker that both teams share, in words: "Segmentation fault; the last call was assign of plugin
+// Describes the failure of a worker that both teams share: "Segmentation fault; the last call was assign of plugin
 // greedy (home, robot 3, tick 41)".
 std::string in_words(const std::string& what, const plugin::CallNote& note);
 

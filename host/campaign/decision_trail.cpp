@@ -8,17 +8,12 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <map>
 #include <optional>
-#include <span>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include "match/digest.hpp"
-#include "match/outcome.hpp"
 #include "texts/bytes.hpp"
 
 namespace regista::campaign {
@@ -29,7 +24,7 @@ constexpr std::size_t room = std::size_t{1} << 16;
 struct Entry {
   double time = 0.0;
   std::int32_t side = 0, robot = 0;
-  std::uint64_t outcome = 0;  // what came of the decision
+  std::uint64_t outcome = 0;  // hash of the decision's outcome
   std::uint32_t answers = 0;
 };
 
@@ -38,11 +33,7 @@ void visit(Archive& archive, Entry& entry) {
   archive(entry.time, entry.side, entry.robot, entry.outcome, entry.answers);
 }
 
-std::span<const std::uint8_t> bytes_of(std::string_view text) {
-  return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
-}
-
-using Name = std::pair<std::string, std::string>;  // of a plugin and its call
+using Name = std::pair<std::string, std::string>;  // plugin and call
 
 template <std::size_t N>
 std::string text_of(const std::array<char, N>& raw) {
@@ -51,10 +42,11 @@ std::string text_of(const std::array<char, N>& raw) {
 
 class TrailReader {
  public:
-  explicit TrailReader(std::string_view trail) : bytes_(bytes_of(trail)) {}
+  explicit TrailReader(std::string_view trail)
+      : bytes_({reinterpret_cast<const std::uint8_t*>(trail.data()), trail.size()}) {}
   bool at_end() const { return bytes_.empty(); }
 
-  // The next decision, then as many answers as it says.
+  // Reads the next decision. The caller must then call answer() Entry::answers times.
   Entry entry() {
     Entry out;
     bytes_(out);
@@ -78,7 +70,7 @@ class TrailReader {
 
 constexpr bool is_use_of_the_host(std::string_view call) { return call == "offer" || call == "withdraw"; }
 
-// Of the same decision in two plays: who answered otherwise first. Empty where all is equal.
+// Returns the first difference between two plays of the same decision, with the plugin; empty if all answers are equal.
 std::string difference(TrailReader& first, const Entry& one, TrailReader& second, const Entry& other) {
   std::string out;
   for (std::uint32_t i = 0; i < std::max(one.answers, other.answers); ++i) {
@@ -86,7 +78,7 @@ std::string difference(TrailReader& first, const Entry& one, TrailReader& second
     if (i < one.answers) a = first.answer();
     if (i < other.answers) b = second.answer();
     if (a == b || !out.empty()) continue;
-    // Where one play has a call that the other lacks, some plugin has done something with the host in one of them.
+    // If the calls differ, names the "offer" or "withdraw": a plugin may make such a call in one of the plays only.
     const Name& name = a && (!b || a->first == b->first || is_use_of_the_host(a->first.second)) ? a->first : b->first;
     const auto& [plugin, call] = name;
     out = is_use_of_the_host(call)
@@ -123,44 +115,23 @@ void TrailWriter::add(const match::Decision& decision, std::span<const plugin::C
 }
 
 void TrailWriter::flush() {
-  std::string_view rest = waiting_;
-  while (!rest.empty()) {
-    const ssize_t count = ::write(descriptor_, rest.data(), rest.size());
-    if (count == -1 && errno == EINTR) continue;
-    if (count <= 0) break;  // then the trail ends early, which is seen
-    rest.remove_prefix(static_cast<std::size_t>(count));
-  }
+  process::write_all(descriptor_, waiting_);  // on an error the trail ends early, which first_difference() reports
   waiting_.clear();
 }
 
-TrailFile::TrailFile() : descriptor_(memfd_create("regista-trail", MFD_CLOEXEC)) {
-  if (descriptor_ == -1) throw std::system_error(errno, std::generic_category(), "cannot make a trail");
+TrailFile::TrailFile() : file_(memfd_create("regista-trail", MFD_CLOEXEC)) {
+  if (!file_.is_open()) throw std::system_error(errno, std::generic_category(), "cannot make a trail");
 }
-
-TrailFile::~TrailFile() { ::close(descriptor_); }
 
 void TrailFile::clear() {
-  if (ftruncate(descriptor_, 0) == 0) lseek(descriptor_, 0, SEEK_SET);
-}
-
-std::string TrailFile::content() const {
-  std::string out(static_cast<std::size_t>(std::max<off_t>(lseek(descriptor_, 0, SEEK_END), 0)), '\0');
-  std::size_t done = 0;
-  while (done < out.size()) {
-    const ssize_t count = pread(descriptor_, out.data() + done, out.size() - done, static_cast<off_t>(done));
-    if (count == -1 && errno == EINTR) continue;
-    if (count <= 0) break;
-    done += static_cast<std::size_t>(count);
-  }
-  out.resize(done);
-  return out;
+  if (ftruncate(file_.number, 0) == 0) lseek(file_.number, 0, SEEK_SET);
 }
 
 std::string first_difference(std::string_view first, std::string_view second) {
   if (first == second) return {};
   TrailReader a(first), b(second);
   try {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::uint64_t> decisions;  // of each robot so far
+    std::map<std::pair<std::int32_t, std::int32_t>, std::uint64_t> decisions;  // decisions so far, by side and robot
     while (!a.at_end() && !b.at_end()) {
       const Entry one = a.entry(), other = b.entry();
       const std::uint64_t tick = decisions[{one.side, one.robot}]++;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What plugins answered in all decisions of a match, in a file without a name that a worker writes and its coordinator
-// reads: of two plays of the same match it shows the first call that was answered otherwise.
+// The trail of a match: the answers of plugins in all decisions. A worker writes the trail into a file without a name,
+// and the coordinator reads this file. A comparison of two trails of one match finds the first different answer.
 #pragma once
 
 #include <map>
@@ -10,40 +10,38 @@
 #include <utility>
 
 #include "match/match.hpp"
-#include "plugin/call_trail.hpp"
+#include "plugin/call_inputs.hpp"
+#include "process/file_descriptor.hpp"
 
 namespace regista::campaign {
 
-// The worker's end: writes to a descriptor that it inherited, through memory of its own.
+// The worker's object for a trail: collects bytes in memory and writes the bytes to an inherited file descriptor.
 class TrailWriter {
  public:
   explicit TrailWriter(int descriptor) : descriptor_(descriptor) {}
   void add(const match::Decision& decision, std::span<const plugin::CallAnswer> answers);
-  void close() { flush(); }
+  void flush();  // writes the collected bytes; to be called at the end of the match
 
  private:
-  void flush();
   int descriptor_;
   std::string waiting_;
-  std::map<std::pair<std::string, std::string>, std::uint32_t> names_;  // of plugin and call, by their first use
+  std::map<std::pair<std::string, std::string>, std::uint32_t> names_;  // (plugin, call) -> number in the trail
 };
 
-// The coordinator's end.
+// The coordinator's object for a trail: creates and reads the file without a name.
 class TrailFile {
  public:
   TrailFile();  // throws std::system_error
-  ~TrailFile();
-  TrailFile(const TrailFile&) = delete;
-  TrailFile& operator=(const TrailFile&) = delete;
-  int descriptor() const { return descriptor_; }
+  int descriptor() const { return file_.number; }
   void clear();
-  std::string content() const;
+  std::string content() const { return process::everything_in(file_.number); }
 
  private:
-  int descriptor_;
+  process::FileDescriptor file_;
 };
 
-// "home, robot 3, tick 41 (4.12 s): plugin greedy answered assign otherwise"; empty when the trails are equal.
+// Returns the first difference between two trails, such as "home, robot 3, tick 41 (4.12 s): plugin greedy answered
+// assign otherwise"; empty for equal trails.
 std::string first_difference(std::string_view first, std::string_view second);
 
 }  // namespace regista::campaign

@@ -1,52 +1,98 @@
 // SPDX-License-Identifier: MIT
-// Plays the matches of a schedule, several at a time, each in a worker. Knows nothing of what they are good for.
+// Plays the matches of a schedule in parallel, each in a worker. The engine does not know the purpose of the matches.
 //
-// What was stored is not played again. Results are handed on in the order of the schedule, never in that in which
-// matches end, so what is made of them does not depend on the number of workers. Memory does not grow with the number
-// of matches: the schedule is a function, and who runs ahead waits.
+// The engine does not play stored matches again. It passes results to its caller in the order of the schedule, so
+// reports do not depend on the number of workers. The schedule is a function, not a list, and the engine begins only
+// matches that are near the first undecided match. So the memory does not grow with the number of matches.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "campaign/campaign_error.hpp"
+#include "campaign/blame.hpp"
 #include "campaign/job.hpp"
-#include "campaign/limits.hpp"
 #include "campaign/store.hpp"
+#include "config/match_settings.hpp"
 
 namespace regista::campaign {
 
-struct Schedule {
-  std::uint64_t matches = 0;
-  std::uint64_t first_row = 0;  // match `index` is kept in the row first_row + index + 1 of the store
-  // What is to be played at this place, from 0 on; nothing when it is not wanted any more. Else a pure function.
-  std::function<std::optional<MatchKey>(std::uint64_t index)> at;
-  // The match itself; asked for only when it is to be played.
-  std::function<Job(std::uint64_t index)> job;
-  // Called in the order of indices, for those not wanted without a result. `fresh`: played now, not read from the
-  // store. False: enough, nothing more is needed.
-  std::function<bool(std::uint64_t index, const Decided* decided, bool fresh)> take;
-  Metrics metrics = Metrics::left_out;  // of results read from the store
-  // Whether this match is to be played twice, to see whether it is reproducible. May be empty.
-  std::function<bool(std::uint64_t index)> twice;
-  // The file for the recording of a match that fails, at the end of which it fails once more; empty: none. May itself
-  // be empty.
-  std::function<std::string(std::uint64_t index)> record_failure;
-  // A match was played, but could not be recorded. May be empty.
-  std::function<void(const Job& job, const std::string& why)> not_recorded;
-  // A worker died over this match, but when it was played again none did: an accident of the machine. May be empty.
-  std::function<void(const Job& job, const std::string& what)> accident;
-  std::function<bool()> asked_to_stop;  // looked at ten times a second
+// --- How the matches of a study are played and where they are stored. These options are no part of the study and may
+// change between runs. Values are stored as the user typed them. Times are in the local time zone of the machine.
+
+using Moment = std::chrono::system_clock::time_point;
+
+// Returns the moment from which a study begins no more matches. until: "08:00" (the next 08:00 of the clock), or
+// "2026-11-28T08:00"; minutes: "90". Returns nothing if both texts are empty. Throws BadInput if both texts are given,
+// if the time is past, or if a text is no time.
+std::optional<Moment> end_of_time(const std::string& until, const std::string& minutes, Moment now);
+
+// Returns the local time as "2026-11-28 08:00".
+std::string in_words(Moment moment);
+
+struct Options {
+  std::vector<std::string> plugins;   // folders of plugins
+  std::string workers, record_every;  // numbers; if empty: a worker for each core, only failed matches recorded
+  std::string until, minutes;         // see end_of_time()
+  std::string results;
+  std::string notify;  // a command of the shell that runs when the study has ended
+  bool resume = false, json = false, quiet = false, no_page = false;
+  bool live = false;  // true: the page is also rewritten during the study
+  // What the run plays; not typed. what_is_missing: all matches that the file of results lacks. nothing_yet: no match,
+  // because the run only creates the file. nothing_more: no match, because the file holds all matches.
+  enum class Plays { what_is_missing, nothing_yet, nothing_more } plays = Plays::what_is_missing;
+  std::vector<std::string> plugin_files;  // not typed: files in the folders of `plugins`
+  std::optional<Moment> end_of_time;      // not typed: check() computes this time from `until` and `minutes`
 };
 
-enum class Finish { complete, enough, interrupted };
+// Throws BadInput for a bad option, so check() must be called before files are created. `minutes` begin at this call.
+void check(Options& options);
 
-// Throws CampaignError, StoreError, std::system_error. What was stored until then stays.
+// number_of_workers() and record_every() throw BadInput for a text that is no such number.
+int number_of_workers(const Options& options);
+std::uint64_t record_every(const Options& options);  // 0: only failed matches are recorded
+
+// Returns the limits that a study's document sets.
+Limits limits_of(const config::MatchSettings& settings);
+
+struct Schedule {
+  std::uint64_t matches = 0;
+  std::uint64_t first_row = 0;  // the store keeps match `index` in row first_row + index + 1
+  // Returns the key of the match at this place, counted from 0; nothing if the study no longer needs the match.
+  std::function<std::optional<MatchKey>(std::uint64_t index)> at;
+  // The job of the match; called only when the match is going to be played.
+  std::function<Job(std::uint64_t index)> job;
+  // Receives the results in the order of indices; `decided` is null if `at` returned nothing. fresh: true if this run
+  // has played the match, false if the result was stored. Returns false to end the run early.
+  std::function<bool(std::uint64_t index, const MatchResult* decided, bool fresh)> take;
+  Metrics metrics = Metrics::left_out;  // metrics to read with stored results
+  // Returns whether this match is played twice to test its reproducibility. May be empty.
+  std::function<bool(std::uint64_t index)> twice;
+  // Returns the file for the recording of a match that fails; empty: no recording. The engine plays the match again for
+  // this recording, which ends with the failure. The function may be empty.
+  std::function<std::string(std::uint64_t index)> record_failure;
+  // Called for a match that was played but could not be recorded. May be empty.
+  std::function<void(const Job& job, const std::string& why)> not_recorded;
+  // Called for a match whose worker died, if another play of the match succeeded. May be empty.
+  std::function<void(const Job& job, const std::string& what)> accident;
+  std::function<bool()> asked_to_stop;  // whether the run must stop; called about ten times a second
+  // After this function returned true, the engine begins no more matches, and ends when the running matches have ended.
+  // May be empty.
+  std::function<bool()> out_of_time;
+};
+
+// The reason why run() ended. complete: all matches are decided. enough: Schedule::take returned false. interrupted:
+// Schedule::asked_to_stop returned true. out_of_time: Schedule::out_of_time returned true, and `take` has received the
+// results of all places before the first match that was not begun.
+enum class Finish { complete, enough, interrupted, out_of_time };
+
+// Plays the schedule. Throws CampaignError, StoreError and std::system_error; stored matches stay in the store.
 Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits);
 
-// One match by itself, in workers with limits, and who forfeits it. `twice`: see Schedule. Throws as run().
-Decided play_alone(const Job& job, const Limits& limits, bool twice = false);
+// Plays one match alone in workers, and decides forfeits. twice: see Schedule. Throws CampaignError, std::system_error.
+MatchResult play_alone(const Job& job, const Limits& limits, bool twice = false);
 
 }  // namespace regista::campaign

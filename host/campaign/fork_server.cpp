@@ -1,23 +1,310 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/fork_server.hpp"
 
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
+#include "campaign/play_job.hpp"
+#include "config/errors.hpp"
+#include "config/overlay.hpp"
+#include "config/profiles.hpp"
+#include "config/values.hpp"
+#include "plugin/catalogue.hpp"
+#include "plugin/fatal_signal.hpp"
+#include "plugin/process_state.hpp"
+#include "plugin/shared_object.hpp"
 #include "process/watch.hpp"
 
 namespace regista::campaign {
+
+struct ForkReply {
+  enum class State : std::int32_t {
+    ready,  // the server is ready for the next request
+    stale,  // the server ends, because a file has changed; a new server may be started
+    unfit,  // the server ends, because a plugin changed the process; no new server may be started
+  };
+  std::uint64_t number = 0;
+  std::int32_t process = -1;  // -1: the server has not started the worker
+  State state = State::ready;
+};
+
 namespace {
 
-// Who dies so often in a row does so again.
+constexpr int server_descriptor = 3;
+
+// A request to the server: one datagram with four or five file descriptors: job (a file with a Job), answer, note,
+// output, and the trail if the job has a trail.
+struct ForkRequest {
+  std::uint64_t number = 0;  // the reply has the same number
+  std::int32_t has_trail = 0;
+  std::int32_t reserved = 0;
+};
+
+// --- Teams that are read once for many matches: opened plugins, the teams' documents, and the lists of inputs. The
+// only code of plugins that runs here: initialization of the shared objects, and the functions that declare plugins.
+
+// Thrown if a file has changed since it was read. Another process must then read all files again.
+class Stale : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Thrown if a plugin changed the whole process when it was loaded. This process must then play no match.
+class Unfit : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+// Limit of teams in memory: the plan of a team has some hundred kilobytes, which enlarge the page tables of each copy.
+constexpr std::size_t most_teams = 64;
+
+using Files = std::vector<std::pair<std::filesystem::path, plugin::FileStamp>>;  // stamps made before reading
+
+template <class Paths>
+Files stamped(const Paths& paths) {
+  Files out;
+  for (const auto& path : paths) out.emplace_back(path, plugin::stamp_of(path));
+  return out;
+}
+
+void demand_unchanged(const Files& files) {
+  for (const auto& [path, stamp] : files) {
+    if (plugin::stamp_of(path) != stamp) throw Stale(path.string());
+  }
+}
+
+// While this object exists, standard error is redirected to a file.
+class KeptErrors {
+ public:
+  KeptErrors()
+      : file_(memfd_create("regista-output", MFD_CLOEXEC)), before_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10)) {
+    dup2(file_.number, STDERR_FILENO);
+  }
+  ~KeptErrors() { dup2(before_.number, STDERR_FILENO); }
+  KeptErrors(const KeptErrors&) = delete;
+  KeptErrors& operator=(const KeptErrors&) = delete;
+
+  // Returns the first 64 KiB of the text in the file.
+  std::string text() const {
+    std::string out(std::size_t{1} << 16, '\0');
+    const ssize_t count = pread(file_.number, out.data(), out.size(), 0);
+    out.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+    return out;
+  }
+
+ private:
+  process::FileDescriptor file_, before_;
+};
+
+template <class Profile>
+std::string shown(Profile profile) {
+  return config::show(config::declare(profile), config::Node(), {}, config::Remarks::without);
+}
+
+class PreparedTeams {
+ public:
+  struct Match {
+    MatchSetup setup;         // must not outlive this object, which owns the plugins
+    std::string changed;      // result of what_changed() (match_setup.hpp)
+    std::string_view output;  // what plugins wrote to standard error when they were loaded
+  };
+
+  // Precondition: the job names its plugin files. Throws Stale, Unfit, config::Error, config::BadInput and
+  // std::runtime_error. A team that pins the file of a plugin is an error, too, because two loaded versions of a plugin
+  // may share variables.
+  Match prepare(const Job& job) {
+    const Plugins& plugins = plugins_of(job);
+    std::vector<std::vector<Input>> inputs;  // of home and away
+    std::string shared;                      // inputs that both plans depend on
+    Match out;
+    out.output = plugins.output;
+    out.setup = match_setup(request_of(job), [&](const std::string& file, const config::Overrides& overrides,
+                                                 const config::Rules& rules, const config::Robot& robot) {
+      if (shared.empty())
+        shared = fmt::format("{}\n{}\n{}\n{}", job.root, fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
+      std::string key = fmt::format("{}\n{}", shared, file);
+      for (const config::Override& each : overrides) key += '\n' + to_string(each);
+      const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue, job.root);
+      inputs.push_back(team.inputs);
+      return team.setup;
+    });
+    if (job.common_inputs.empty()) return out;  // the job has no list of inputs
+    // Takes two hashes from the job, because the coordinator uses the same program and mathematics library.
+    out.changed = what_changed(
+        job, {inputs.at(0), inputs.at(1),
+              common_inputs(out.setup.setup, input_of(job, program_input), input_of(job, mathematics_input))});
+    return out;
+  }
+
+ private:
+  struct Plugins {
+    plugin::Catalogue catalogue;
+    Files files;
+    std::string output;
+  };
+  struct Team {
+    TeamSetup setup;
+    std::vector<Input> inputs;
+    Files files;
+  };
+  const Plugins& plugins_of(const Job& job) {
+    auto& opened = plugins_[fmt::format("{}", fmt::join(job.plugin_files, "\n"))];
+    if (opened) {
+      demand_unchanged(opened->files);
+      return *opened;
+    }
+    Files files = stamped(job.plugin_files);
+    const KeptErrors errors;
+    const plugin::ProcessState before = plugin::ProcessState::now();
+    const pid_t here = getpid();
+    const std::vector<std::filesystem::path> paths(job.plugin_files.begin(), job.plugin_files.end());
+    plugin::Catalogue catalogue = plugin::Catalogue::of_files(paths, plugin::Catalogue::Looking::here);
+    if (getpid() != here) _exit(EXIT_FAILURE);  // this is the child of a fork() by a plugin
+    if (const std::string left = plugin::changes_since(before); !left.empty()) throw Unfit("a plugin " + left);
+    if (!catalogue.refused().empty()) throw std::runtime_error(to_string(catalogue.refused().front()));
+    opened.reset(new Plugins{std::move(catalogue), std::move(files), errors.text()});
+    return *opened;
+  }
+
+  const Team& team_of(const std::string& key, const std::string& file, const config::Overrides& overrides,
+                      const config::Rules& rules, const config::Robot& robot, const plugin::Catalogue& catalogue,
+                      const std::string& root) {
+    if (const auto known = teams_.find(key); known != teams_.end()) {
+      demand_unchanged(known->second.files);
+      return known->second;
+    }
+    const std::array<std::filesystem::path, 1> document{file};
+    const std::vector<std::filesystem::path> named = config::named_files(document, overrides);
+    for (const std::filesystem::path& each : named) {
+      if (each.extension() == ".so") throw std::runtime_error(each.string() + " is pinned");
+    }
+    Files files = stamped(named);
+    TeamSetup setup = team_setup(file, overrides, rules, robot, catalogue, KeyNames::former_too);
+    std::vector<Input> inputs = team_inputs(*setup.plan, *setup.document, catalogue, root);
+    demand_unchanged(files);
+    if (teams_.size() >= most_teams) teams_.clear();
+    return teams_.emplace(key, Team{std::move(setup), std::move(inputs), std::move(files)}).first->second;
+  }
+
+  std::map<std::string, std::unique_ptr<Plugins>> plugins_;  // by names of files; must outlive teams_
+  std::map<std::string, Team> teams_;                        // by all inputs of the plan
+};
+
+// After this number of deaths in a row, no new server is started.
 constexpr int most_deaths = 3;
 
-constexpr double longest_wait = 60.0;  // s, for a plugin that sleeps when it is loaded
+constexpr double longest_wait = 60.0;  // s; limit for a server that does not answer, because a plugin sleeps
+
+// Moves the socket to a high number, out of the reach of plugins that write to a low number by mistake.
+process::FileDescriptor away_from_plugins(int socket) {
+  process::FileDescriptor kept(::fcntl(socket, F_DUPFD_CLOEXEC, 100));
+  const process::FileDescriptor nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
+  if (!kept.is_open() || !nothing.is_open()) throw config::BadInput("cannot keep the connection to the coordinator");
+  ::dup2(nothing.number, socket);
+  return kept;
+}
+
+// Like fork(), but the copy is a child of this process's parent, so the parent can wait for the copy. The C library
+// does not notice the copy, which is harmless with a single thread. Fork handlers of plugins' libraries do not run.
+// The kernel sets the C library's number of the thread, as for fork().
+pid_t copy_for_parent() {
+  unsigned long flags = CLONE_PARENT | SIGCHLD;
+  int* number = nullptr;
+  if (::prctl(PR_GET_TID_ADDRESS, &number) == 0 && number != nullptr)
+    flags |= CLONE_CHILD_SETTID | CLONE_CHILD_CLEARTID;
+#if defined(__x86_64__)
+  return static_cast<pid_t>(::syscall(SYS_clone, flags, nullptr, nullptr, number, nullptr));
+#else  // this architecture has the last two arguments in the other order
+  return static_cast<pid_t>(::syscall(SYS_clone, flags, nullptr, nullptr, nullptr, number));
+#endif
+}
+
+// Changes the name of this process in lists of processes. Works only in a server or a worker.
+void be_called(std::string_view name) {
+  char* const command = program_invocation_name + std::strlen(program_invocation_name) + 1;
+  if (std::string_view(command) != server_command && std::string_view(command) != worker_command) return;
+  static_assert(std::string_view(worker_command).size() <= std::string_view(server_command).size());
+  std::memset(command, 0, std::string_view(server_command).size());
+  std::memcpy(command, name.data(), name.size());
+}
+
+struct Connection {
+  process::FileDescriptor socket;
+  pid_t coordinator;
+};
+
+// To be called in the copy, which ends by _exit without destructors.
+[[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files,
+                               const Connection& connection, const std::string& program) {
+  ::close(connection.socket.number);
+  if (!process::become_child(worker_setting(files, job.limits), connection.coordinator))
+    ::_exit(process::Child::never_began);
+  for (const int each : {files.answer, files.note, files.output, files.trail}) {
+    if (each > trail_descriptor) ::close(each);
+  }
+  process::write_all(STDERR_FILENO, match.output);
+  try {
+    const SharedNote shared{process::FileDescriptor(note_descriptor)};
+    WorkerNote& note = *shared;
+    plugin::note_fatal_signals(note.fatal);
+    const Answer answer = answer_of([&] { return play_job(job, std::move(match.setup), program, note); });
+    ::_exit(hand_over(answer) ? 0 : 1);
+  } catch (const std::exception&) {  // the note cannot be mapped into memory
+    ::_exit(process::Child::never_began);
+  }
+}
+
+// Starts a copy and returns the reply to a request. In the copy, the function does not return.
+ForkReply answer(const ForkRequest& request, std::vector<process::FileDescriptor>& files, PreparedTeams& teams,
+                 const Connection& connection, const std::string& program) {
+  ForkReply reply;
+  reply.number = request.number;
+  const bool has_trail = request.has_trail != 0;
+  if (files.size() != (has_trail ? 5u : 4u)) return reply;
+  try {
+    const Job job = job_from_json(process::everything_in(files[0].number));
+    PreparedTeams::Match match = teams.prepare(job);
+    if (!match.changed.empty()) return reply;
+    // The copy has the name of a worker from its start, so that a user who kills servers by name kills no match.
+    be_called(worker_command);
+    reply.process = copy_for_parent();
+    if (reply.process != 0) be_called(server_command);
+    if (reply.process == 0) {
+      files[0].reset();
+      play_in_copy(job, std::move(match),
+                   {files[1].number, files[2].number, files[3].number, has_trail ? files[4].number : -1, -1},
+                   connection, program);
+    }
+    if (reply.process == -1 && errno != EAGAIN && errno != ENOMEM) reply.state = ForkReply::State::unfit;
+  } catch (const Stale&) {
+    reply.state = ForkReply::State::stale;
+  } catch (const Unfit&) {
+    reply.state = ForkReply::State::unfit;
+  } catch (const std::exception&) {  // ignored: a newly started program will report the error
+  }
+  return reply;
+}
 
 }  // namespace
 
@@ -34,7 +321,7 @@ void ForkServer::begin() {
   try {
     server_ = process::Child::program(setting, {process::Child::this_program, {"regista", server_command}, variables});
   } catch (const std::system_error&) {
-    // Then workers start the program.
+    // Ignored: without a server, each worker is a newly started program.
   }
 }
 
@@ -55,15 +342,15 @@ bool ForkServer::ask(const WorkerFiles& files) {
   return process::send_with_files(socket_.number, ForkRequest{++number_, files.trail != -1, 0}, passed);
 }
 
-// Nothing: it has died, does not come back from loading a plugin, or says what it does not say.
+// Waits for the reply. Returns nothing if the server has died, hangs while it loads a plugin, or sends no valid reply.
 std::optional<ForkReply> ForkServer::hear() {
-  constexpr int patience = 100;  // ms between two looks at it
+  constexpr int patience = 100;  // ms between two checks of the server
   process::CallWatch<int> watch({limits_.processor_seconds, longest_wait});
   for (;;) {
     pollfd watched{socket_.number, POLLIN, 0};
     if (poll(&watched, 1, patience) == 1) break;
     const bool too_long = watch.look(0, true, server_.process()) != process::Exceeded::nothing;
-    if (too_long || server_.look()) return std::nullopt;  // or it has died, or is held by a signal
+    if (too_long || server_.look()) return std::nullopt;  // look(): the server has died or is stopped
   }
   ForkReply reply;
   std::vector<process::FileDescriptor> none;
@@ -72,8 +359,8 @@ std::optional<ForkReply> ForkServer::hear() {
 }
 
 process::Child ForkServer::start(const Job& job, const WorkerFiles& files) {
-  // Minds in processes of their own, or a match that is to be played elsewhere: these need a program of their own.
-  if (job.is_apart() || job.elsewhere || job.plugin_files.empty() || deaths_ >= most_deaths) return {};
+  // A match with minds in other processes and a perturbed match need a newly started program.
+  if (job.is_apart() || job.perturbed || job.plugin_files.empty() || deaths_ >= most_deaths) return {};
   if (!server_.runs()) begin();
   const std::optional<ForkReply> reply = server_.runs() && ask(files) ? hear() : std::optional<ForkReply>();
   if (!reply) {
@@ -81,11 +368,29 @@ process::Child ForkServer::start(const Job& job, const WorkerFiles& files) {
     end();
     return {};
   }
-  // From now on it is not in the server's group, with which it would be ended.
+  // Gives the worker its own process group, because the server's group is killed with the server.
   if (reply->process != -1) ::setpgid(reply->process, reply->process);
   deaths_ = reply->state == ForkReply::State::unfit ? most_deaths : 0;
   if (reply->state != ForkReply::State::ready) end();
   return process::Child(reply->process);
+}
+
+void serve_matches(const std::string& program) {
+  int kind = 0;
+  socklen_t size = sizeof kind;
+  if (::getsockopt(server_descriptor, SOL_SOCKET, SO_TYPE, &kind, &size) == -1 || kind != SOCK_SEQPACKET) {
+    throw config::BadInput(fmt::format("{}: is for the program itself, which starts it for a study", server_command));
+  }
+  const Connection connection{away_from_plugins(server_descriptor), ::getppid()};
+  PreparedTeams teams;
+  for (;;) {
+    ForkRequest request;
+    std::vector<process::FileDescriptor> files;
+    if (!process::receive_with_files(connection.socket.number, request, files)) return;
+    const ForkReply reply = answer(request, files, teams, connection, program);
+    if (!process::send_with_files(connection.socket.number, reply, {}) || reply.state != ForkReply::State::ready)
+      return;
+  }
 }
 
 }  // namespace regista::campaign

@@ -9,14 +9,10 @@
 #include <algorithm>
 #include <csignal>
 #include <optional>
-#include <span>
 #include <utility>
 
-#include "campaign/belief_wire.hpp"
-#include "campaign/mind_channel.hpp"
-#include "campaign/mind_host.hpp"
-#include "match/outcome.hpp"
-#include "mind/wire.hpp"
+#include "match/digest.hpp"
+#include "mind/serialization.hpp"
 #include "process/child.hpp"
 #include "process/watch.hpp"
 
@@ -25,13 +21,12 @@ namespace {
 
 constexpr double look_again_after = 0.1;  // s between two looks at a process that has not replied
 
-// A process of minds.
 struct Thinkers {
   explicit Thinkers(const MindPlace& in) : place(in) {}
   MindPlace place;
   MindChannel channel;
   process::Child process;
-  double waited = 0.0;  // s that the match has waited for it
+  double waited = 0.0;  // time that the match has waited for these minds, s
 };
 
 void close_all_but_standard_streams() {
@@ -39,9 +34,9 @@ void close_all_but_standard_streams() {
   for (int each = STDERR_FILENO + 1; each < 1024; ++each) ::close(each);
 }
 
-// Who asks and who answers take turns for every decision. On one processor that is a switch between two processes, on
-// two of them each turn wakes a processor that has begun to sleep, which takes longer than the decision. For the one
-// match of a pairing whose robots are apart; all matches of a study would crowd on some processors.
+// Binds this process and its future copies to the present processor. Match and minds take turns for every decision. On
+// two processors, each turn wakes a sleeping process, which takes longer than the decision itself. Only plays with a
+// process for each robot use this function, because otherwise all matches of a study would share a few processors.
 void stay_on_this_processor() {
   const int here = ::sched_getcpu();
   if (here < 0 || here >= CPU_SETSIZE) return;
@@ -73,7 +68,7 @@ class IsolatedMatch {
         of_robot.push_back(thinkers_.size() - 1);
       }
     }
-    // A death of any of them interrupts the sleep for another.
+    // SIGCHLD gets a handler, so that the death of any process of minds interrupts the wait for another process.
     struct sigaction action {};
     action.sa_handler = [](int) {};
     sigemptyset(&action.sa_mask);
@@ -88,13 +83,13 @@ class IsolatedMatch {
   IsolatedMatch(const IsolatedMatch&) = delete;
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
-  // See play_isolated.
+  // The text for the parameter `kept` of play_isolated().
   const std::string& kept() const { return kept_; }
 
   match::Result play() {
     if (thinkers_.size() > 2) stay_on_this_processor();
     for (Thinkers& each : thinkers_) start(each);
-    for (Thinkers& each : thinkers_) hear(each);  // that the minds have been created
+    for (Thinkers& each : thinkers_) hear(each);  // waits until the minds have been created
     std::array<std::vector<mind::Think>, 2> think;
     for (const match::Side side : match::both_sides) {
       for (int number = 1; number <= plans_[match::index(side)]->rules().team_size; ++number) {
@@ -133,7 +128,7 @@ class IsolatedMatch {
     started.process = process::Child::copy(setting, [&]() -> int {
       std::signal(SIGCHLD, SIG_DFL);
       close_all_but_standard_streams();
-      // Nothing that the match or other minds read is left in reach of plugins.
+      // Removes the memory that the match or other minds read, so that plugins cannot reach it.
       for (Thinkers& each : thinkers_) {
         if (&each != &started) each.channel.forget();
       }
@@ -192,10 +187,9 @@ class IsolatedMatch {
     if (!asked.channel.replied()) wait_for(asked);
     if (asked.channel.reply() == Reply::done) return texts::BytesIn(asked.channel.bytes());
     if (asked.channel.reply() == Reply::no_memory) {
-      // Below half of what it may have, it is the machine that has no more.
+      // If the process uses less than half of its limit, the machine has no memory left.
       const bool of_the_machine =
           limits_.memory == 0 || process::address_space_of(asked.process.process()) < limits_.memory / 2;
-      // Which plugin has taken it is not known.
       throw Fault(of_the_team(noted(asked, "no memory is left")), of_the_machine);
     }
     const auto bytes = asked.channel.bytes();
@@ -230,7 +224,7 @@ class IsolatedMatch {
     check_match_time(asked, 0.0);
   }
 
-  // The side that has been waited for longer has used up the time of the match.
+  // Throws a Fault if the match has waited for minds longer than a match may last. The slower side is to blame.
   void check_match_time(const Thinkers& asked, double waiting) {
     std::array<double, 2> waited{};
     waited[match::index(asked.place.side)] = waiting;
@@ -238,7 +232,7 @@ class IsolatedMatch {
     const auto [home, away] = waited;
     if (home + away <= limits_.match_wall_seconds) return;
     const match::Side slower = home >= away ? match::Side::home : match::Side::away;
-    // Where both are slow, it may be the machine.
+    // If both sides are slow, the machine may be the cause.
     constexpr double most_of_it = 0.75;
     const bool both = std::max(home, away) < most_of_it * (home + away);
     throw Fault({static_cast<int>(match::index(slower)), "", "", 0, 0,
@@ -255,8 +249,8 @@ class IsolatedMatch {
     throw Fault(died(looked_at, end->in_words()), end->was_stopped() || end->from_outside());
   }
 
-  // The plugin whose call was under way is named where the process came to its end in that plugin's own code. Else a
-  // thread, a timer or what another plugin wrote into its memory may have done it: that it is its team's is known.
+  // Returns the failure of a dead process. The failure names a plugin only if the process ended during a call, in the
+  // own code of the called plugin. Otherwise a thread, a timer or another plugin may be the cause.
   Failure died(const Thinkers& dead, const std::string& what) {
     Failure out = noted(dead, what);
     const WorkerNote note = dead.channel.note().sound();
@@ -268,14 +262,14 @@ class IsolatedMatch {
     return own ? out : of_the_team(out);
   }
 
-  // Without a plugin to blame.
+  // Returns the failure without plugin and call: only the team is to blame.
   static Failure of_the_team(Failure failure) {
     failure.plugin.clear();
     failure.call.clear();
     return failure;
   }
 
-  // A failure of the call that was under way last, or that is.
+  // Returns a failure in the present or last call of this process.
   Failure noted(const Thinkers& failed, const std::string& what) {
     const WorkerNote note = failed.channel.note().sound();
     return {number_of(failed),     note.call.plugin.data(),
@@ -283,7 +277,7 @@ class IsolatedMatch {
             note.call.tick,        what + where(note.fatal) + (note.call.inside == 1 ? "" : ", between two calls")};
   }
 
-  // Of several tries to reach outside, the first in the match.
+  // Keeps the earliest try of a mind in this match to reach outside of its process.
   void note_first(const OutsideNote& outside) {
     note_.outside.unconfined |= outside.unconfined;
     if (outside.what.front() == '\0') return;
@@ -299,7 +293,7 @@ class IsolatedMatch {
   const AfterAnswers& after_;
   WorkerNote& note_;
   std::vector<Thinkers> thinkers_;
-  std::array<std::vector<std::size_t>, 2> of_robot_;  // by side, then number
+  std::array<std::vector<std::size_t>, 2> of_robot_;  // index in thinkers_, by side and robot
   struct sigaction before_ {};
   texts::BytesOut question_;
   plugin::CallTrail answers_;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A match whose minds are kept apart: those of each team, or each of them, in a process of their own. A mind is a
-// function from percepts and packets to an outcome, so nothing else crosses; undisturbed, the match is the same to the
-// last bit. Whichever process dies, hangs, exits, runs out of its memory or breaks a promise is its team's, whatever
-// the cause: a call, a thread, a timer, a damaged heap. And where each robot has a process, what a plugin keeps outside
-// of its instance is no longer shared: a team whose robots do not decide alone plays another match.
+// Plays a match whose minds are in other processes: one process for each team or for each robot. A mind is a function
+// from percepts and packets to an outcome, so the processes exchange nothing else. If no process fails, the result
+// equals the result of a match in one process, to the last bit. If a process dies, hangs, exits, runs out of memory or
+// breaks a promise, its team is to blame, whether the cause is a call, a thread, a timer or a damaged heap. If each
+// robot has a process, robots cannot share the data that a plugin keeps outside of its instance. So a team whose robots
+// do not decide alone gets another result.
 #pragma once
 
 #include <array>
@@ -15,36 +16,29 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/limits.hpp"
 #include "campaign/mind_host.hpp"
-#include "campaign/worker_note.hpp"
+#include "campaign/worker.hpp"
 #include "match/match.hpp"
 #include "match/teams.hpp"
 #include "mind/team_plan.hpp"
-#include "plugin/call_trail.hpp"
+#include "plugin/call_inputs.hpp"
 
 namespace regista::campaign {
 
-// A process of minds did not do what it was there for. what() is the failure in one line.
-class Fault : public std::runtime_error {
- public:
-  Fault(Failure failure, bool from_outside)
-      : std::runtime_error(failure.what), failure_(std::move(failure)), from_outside_(from_outside) {}
-  const Failure& failure() const { return failure_; }
-  bool from_outside() const { return from_outside_; }  // a signal that people and systems send
-
- private:
-  Failure failure_;
-  bool from_outside_;
+// Thrown if a process of minds failed. what() describes the failure in one line.
+struct Fault : std::runtime_error {
+  Fault(const Failure& of, bool outside) : std::runtime_error(of.what), failure(of), from_outside(outside) {}
+  Failure failure;
+  bool from_outside;  // true: the cause may be a signal from people or the system (End::How), or the machine
 };
 
-// Called with what plugins answered in each decision, in the order of the match; may be empty.
+// Called with the answers of plugins in each decision, in the order of the match. May be empty.
 using AfterAnswers = std::function<void(const match::Decision&, std::span<const plugin::CallAnswer>)>;
 
-// Plays `setup` as match::play(setup, plans) does. To be called by a process without threads that has loaded no plugin:
-// it is copied. `note`: the process groups are written into it, and the first try of a confined mind to reach outside
-// of its process. `kept`: what plugins of confined minds have changed in their files' own memory, one line; mostly
-// empty. Throws Fault, and what match::play throws.
+// Plays `setup` as match::play(setup, plans) does. The function copies the calling process, which must have no threads
+// and must have loaded no plugin. `note` receives the process groups, and the first try of a confined mind to reach
+// outside of its process. `kept` receives the variables of plugin files that confined minds have changed, one line;
+// mostly empty. Throws Fault, and the exceptions of match::play.
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
                             Separation separation, const Limits& limits, const Examination& examination,
                             const AfterAnswers& after, WorkerNote& note, std::string& kept);

@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "campaign/metric_json.hpp"
-#include "campaign/whole_number.hpp"
+#include "campaign/match_encoding.hpp"
 #include "texts/json.hpp"
 
 namespace regista::campaign {
@@ -17,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 5> kinds{"played", "failed", "changed", "refused", "stopped"};
 
-// Text of plugins may be anything; JSON must be UTF-8.
+// Replaces bytes that are not UTF-8, because plugins may write any bytes and JSON must be UTF-8.
 std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
 template <class Read>
@@ -77,6 +76,12 @@ Failure failure_of(const Json& json) {
 
 }  // namespace
 
+std::uint64_t whole_number(const Json& json, std::uint64_t most) {
+  if (!json.is_number_unsigned() || json.get<std::uint64_t>() > most)
+    throw std::out_of_range("expected a whole number");
+  return json.get<std::uint64_t>();
+}
+
 std::vector<std::string> match_arguments(const Job& job) {
   std::vector<std::string> words{"match", job.teams[0], job.teams[1], "--seed", std::to_string(job.seed)};
   const auto add = [&](const char* option, const std::string& value) {
@@ -109,7 +114,7 @@ std::string to_json(const Job& job) {
                    {"record", job.record},
                    {"expects_failure", job.expects_failure},
                    {"separation", static_cast<int>(job.separation)},
-                   {"elsewhere", job.elsewhere},
+                   {"elsewhere", job.perturbed},
                    {"look", static_cast<int>(job.look)},
                    {"hides", job.hides},
                    {"trail", job.trail},
@@ -128,19 +133,20 @@ Job job_from_json(const std::string& text) {
     json.at("rules").get_to(job.rules);
     json.at("robot").get_to(job.robot);
     json.at("disturbance").get_to(job.disturbance);
-    job.home_disturbance = json.value("home_disturbance", "");  // results of before know none
+    job.home_disturbance = json.value("home_disturbance", "");  // missing in older results
     job.away_disturbance = json.value("away_disturbance", "");
     json.at("opening").get_to(job.opening);
     json.at("overrides").get_to(job.overrides);
     json.at("plugins").get_to(job.plugins);
     json.at("limit").get_to(job.limit);
     job.seed = whole_number(json.at("seed"));
-    job.record = json.value("record", "");  // nor this
+    job.record = json.value("record", "");  // also missing in older results
     job.expects_failure = json.value("expects_failure", false);
     if (json.contains("separation")) job.separation = static_cast<Separation>(whole_number(json.at("separation"), 2));
-    job.elsewhere = json.value("elsewhere", false);
+    job.perturbed = json.value("elsewhere", false);
     if (json.contains("look"))
-      job.look = static_cast<plugin::Look>(whole_number(json.at("look"), static_cast<int>(plugin::Look::always)));
+      job.look =
+          static_cast<plugin::Inspection>(whole_number(json.at("look"), static_cast<int>(plugin::Inspection::always)));
     job.hides = json.value("hides", false);
     job.trail = json.value("trail", false);
     job.root = json.value("root", "");
@@ -166,7 +172,7 @@ std::vector<Input> inputs_from_json(const std::string& text) {
 }
 
 std::string to_json(const Answer& answer) {
-  const Decided& decided = answer.decided;
+  const MatchResult& decided = answer.decided;
   Json json{{"kind", kinds[static_cast<std::size_t>(answer.kind)]},
             {"message", answer.message},
             {"score", decided.score},
@@ -205,8 +211,8 @@ Answer answer_from_json(const std::string& text) {
   });
 }
 
-Decided forfeit(const Failure& failure, double seconds) {
-  Decided out;
+MatchResult forfeit(const Failure& failure, double seconds) {
+  MatchResult out;
   out.score[static_cast<std::size_t>(1 - failure.side)] = goals_of_forfeit;
   out.ended = "forfeit";
   out.failure = failure;

@@ -1,110 +1,143 @@
 // SPDX-License-Identifier: MIT
-// What a worker is told, and what it answers: one match, as JSON in one line each way.
+// The job that a worker gets for one match, the worker's answer, and limits. Job and answer are one line of JSON each.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "campaign/input.hpp"
-#include "campaign/limits.hpp"
+#include "campaign/match_inputs.hpp"
 #include "match/metric_numbers.hpp"
-#include "plugin/call_note.hpp"
+#include "plugin/call_inputs.hpp"
 
 namespace regista::campaign {
 
-// How far the minds of a match are kept apart. Where robots decide alone, the result is the same.
-enum class Separation {
-  none,    // one process for all
-  teams,   // one for each team
-  robots,  // one for each robot
+enum class Isolation {
+  after_a_death,  // all minds share a process; if it dies, the match is replayed with one process for each team
+  always,         // each team has its own process for its minds
 };
 
-// A match as the command line of `regista match` says it. Paths are relative to the folder the campaign was started in.
+// The limits of a match, and the rules that assign its minds to processes. A match that exceeds a limit is ended.
+struct Limits {
+  int processor_seconds = 10;                     // s of processor time for one call of a plugin
+  std::uint64_t memory = std::uint64_t{2} << 30;  // bytes of address space of a process, RLIMIT_AS; 0: no limit
+  double wall_seconds = 200.0;                    // s of wall time for one call: ends a plugin that sleeps
+  double match_wall_seconds = 1800.0;             // s of wall time for a whole match
+  Isolation isolation = Isolation::after_a_death;
+  // The first match of a pairing is played a second time, with one process for each mind. The second play shows results
+  // that are not reproducible, and robots that do not decide alone, that is, from their own knowledge only.
+  bool play_twice = true;
+  // true: the robots of a team may share memory, so the minds of a team share one process in both plays.
+  bool allow_shared_memory = false;
+
+  // s of processor time for the whole match (RLIMIT_CPU).
+  int match_seconds() const { return 100 * processor_seconds; }
+  friend bool operator==(const Limits&, const Limits&) = default;
+};
+
+// The key of a stored match: the number that the store gave to its fixture, and its seed.
+struct MatchKey {
+  std::int64_t fixture = 0;
+  std::uint64_t seed = 0;
+  friend bool operator==(const MatchKey&, const MatchKey&) = default;
+};
+
+// Which metrics of a stored match are read. wanted: all metrics, some kilobytes. packets: at least
+// match::packet_metrics. left_out: no metrics.
+enum class Metrics { wanted, packets, left_out };
+
+// How the minds of a match are divided among processes. The result is always the same if every robot decides alone.
+enum class Separation {
+  none,    // one process for all minds
+  teams,   // one process for each team
+  robots,  // one process for each robot
+};
+
+// A match, described by the inputs of `regista match`. Paths are relative to the folder in which the campaign started.
 struct Job {
   std::array<std::string, 2> teams;       // files: home, away
   std::string rules, robot, disturbance;  // files; empty: the built-in values
-  // Files: what disturbs one side alone, in the place of `disturbance`; empty: that one.
+  // Files: the disturbance of one side, used instead of `disturbance`; empty: the side has `disturbance`.
   std::string home_disturbance, away_disturbance;
-  std::vector<std::string> overrides;  // of --set, as `regista match` understands them
+  std::vector<std::string> overrides;  // values of --set, as `regista match` reads them
   std::vector<std::string> plugins;    // folders of --plugins
-  std::string opening;                 // file of the scene it starts from; empty: from kick-off
-  std::string limit;                   // simulated seconds, as typed; empty: none, or the opening's length
+  std::string opening;                 // file of the opening scene; empty: the match starts from kick-off
+  std::string limit;                   // simulated seconds, as typed; empty: no limit, or the opening's length
   std::uint64_t seed = 1;
-  std::string record;  // file that the worker records the match in, replacing it; empty: none. Part of no key.
-  bool expects_failure = false;  // then as much as possible is to stand in that file when the worker dies
-  // How it is played. Part of no key.
+  std::string record;            // file for the worker's recording, replaced if it exists; empty: none; not in the key
+  bool expects_failure = false;  // true: the worker saves its recording more often, because it will probably die
+  // How the match is played. The key of the match does not depend on these members.
   Separation separation = Separation::none;
-  bool elsewhere = false;  // in memory and in the file system, with another environment and at another date
-  plugin::Look look = plugin::Look::seldom;
-  bool hides = false;  // see plugin::Noting
-  bool trail = false;  // what plugins answered is written to the worker's trail
-  Limits limits;       // of the processes of minds that are kept apart
+  bool perturbed = false;  // true: the play has other memory addresses, another folder, environment and date
+  plugin::Inspection look = plugin::Inspection::seldom;
+  bool hides = false;  // true: inspected calls see only those inputs that their plugins declare to read
+  bool trail = false;  // true: the worker writes the answers of plugins to its trail (decision_trail.hpp)
+  Limits limits;       // for the processes of minds, if `separation` is not none
   bool is_apart() const { return separation != Separation::none; }
-  // A folder with copies of the files, which stands for the root of the file system: names are to be read in the copy
-  // of the folder that they were given in. Part of no key, and left out of what is compared with the inputs below;
-  // empty: there are none.
+  // The folder with copies of the files: the copy of /a/b is root/a/b. Empty: there are no copies. Relative names must
+  // be read in the copy of the folder in which they were given. Keys and comparisons of inputs leave `root` out.
   std::string root;
-  // Files of the plugins that a search of the folders has found for these teams; empty: it is searched anew.
+  // Files of the plugins for these teams, found in the plugin folders; empty: the worker searches the folders.
   std::vector<std::string> plugin_files;
-  // What is to be played, as inputs.hpp counts it up. A worker that finds something else in the files does not play.
+  // The inputs of the match (match_inputs.hpp). A worker does not play if the files hold other inputs.
   std::vector<Input> home_inputs, away_inputs, common_inputs;
   friend bool operator==(const Job&, const Job&) = default;
 };
 
-// The words of `regista match` after the name of the program: plays this very match by itself.
+// The command line that plays exactly this match alone: `regista match` without the name of the program.
 std::vector<std::string> match_arguments(const Job& job);
 
-// Who is to blame for a match that could not be played to its end.
+// The team, plugin and robot to blame for a match that could not be played to its end.
 struct Failure {
   int side = 0;              // 0 home, 1 away
-  std::string plugin, call;  // id, "assign"
-  int robot = 0;             // number, from 1
-  std::uint64_t tick = 0;    // of the robot
+  std::string plugin, call;  // id of the plugin, name of the call ("assign"); both empty: not known
+  int robot = 0;             // number, from 1; 0: the robot is not known
+  std::uint64_t tick = 0;    // number of the robot's tick
   std::string what;          // "Segmentation fault", "point 0 at (1, nan) is outside the field"
   friend bool operator==(const Failure&, const Failure&) = default;
 };
 
-// A match that was decided: played, forfeited, or set aside because nobody can be blamed for the deaths over it.
-struct Decided {
-  std::array<int, 2> score{};      // by side; a forfeit is 0:10, of one that was set aside there is none
-  std::string ended;               // "full_time", "mercy", "limit", "forfeit", "set_aside"
-  std::string hash;                // over the course of the match, 16 digits; empty for what was not played to its end
-  match::MetricNumbers metrics;    // none of what was not played to its end: missing, not zero
-  std::optional<Failure> failure;  // of a forfeit
-  double seconds = 0.0;            // s of wall time
-  std::string why_set_aside{};     // how its workers died, one line; else empty
-  std::string irreproducible{};    // where another play of the same match first differed, one line; else empty
-  std::string shared{};            // who answers by more than what its own robot knows, one line; else empty
-  std::string broken{};            // which promise a plugin breaks where it is looked at closely, one line; else empty
-  std::string kept{};      // what plugins keep outside of their instances, though nothing came of it; else empty
-  std::string unproven{};  // why it is not known that robots decide alone, though it was asked; mostly empty
-  std::string output{};    // what plugins wrote to standard error, cut in the middle; mostly empty
+// The result of a match that was played, forfeited, or set aside because workers died and no team is to blame.
+struct MatchResult {
+  std::array<int, 2> score{};        // by side; 0 and 10 goals for a forfeit; no meaning for a match set aside
+  std::string ended{};               // "full_time", "mercy", "limit", "forfeit", "set_aside"
+  std::string hash{};                // of all that happened in the match, 16 digits; empty: not played to its end
+  match::MetricNumbers metrics{};    // empty if the match was not played to its end
+  std::optional<Failure> failure{};  // set for a forfeit only
+  double seconds = 0.0;              // s of wall time
+  std::string why_set_aside{};       // how the workers died, one line; empty unless the match was set aside
+  std::string irreproducible{};      // the first difference between two plays of this match, one line; mostly empty
+  std::string shared{};              // the plugin that used more than its own robot knows, one line; mostly empty
+  std::string broken{};              // the promise that a plugin broke under close inspection, one line; mostly empty
+  std::string kept{};      // what plugins keep outside of their instances without effect on the match; mostly empty
+  std::string unproven{};  // why the second play could not show that robots decide alone; mostly empty
+  std::string output{};    // what plugins wrote to standard error, without the middle if it was long; mostly empty
   bool set_aside() const { return !why_set_aside.empty(); }
-  friend bool operator==(const Decided&, const Decided&) = default;
+  friend bool operator==(const MatchResult&, const MatchResult&) = default;
 };
 
-// What a worker says at its end.
+// The message that a worker sends at its end.
 struct Answer {
   enum class Kind {
     played,   // `decided` holds the result
-    failed,   // a plugin said so, broke a promise, or its process died: `decided.failure`
-    changed,  // what stands in the files is not what is to be played: `message`
-    refused,  // bad input: `message`
-    stopped,  // an error of another kind: `message`
+    failed,   // a plugin reported a failure, broke a promise or died; `decided.failure` describes the failure
+    changed,  // the files no longer hold the inputs of the job; `message` lists the differences
+    refused,  // an input is bad; `message` says why
+    stopped,  // another error stopped the match; `message` describes the error
   };
   Kind kind = Kind::stopped;
-  Decided decided;
-  std::string message;        // of a match that was played: why it could not be recorded, else empty
-  bool from_outside = false;  // of a failure: by a signal that people and systems send
+  MatchResult decided{};
+  std::string message{};      // one line; Kind::played: the error of the recording, mostly empty
+  bool from_outside = false;  // Kind::failed: true if a signal that people and systems send caused the failure
 };
 
 std::string to_json(const Job& job);
 std::string to_json(const Answer& answer);
 
-// Throw std::invalid_argument for what these functions did not write.
+// Both functions throw std::invalid_argument for a text that to_json() did not write.
 Job job_from_json(const std::string& text);
 Answer answer_from_json(const std::string& text);
 
@@ -116,7 +149,11 @@ std::vector<Input> inputs_from_json(const std::string& text);
 
 inline constexpr int goals_of_forfeit = 10;
 
-// The result of a match that the side of this failure loses.
-Decided forfeit(const Failure& failure, double seconds);
+// Returns the result of a match that the side in `failure` forfeits. seconds: s of wall time.
+MatchResult forfeit(const Failure& failure, double seconds);
+
+// Reads a whole number from 0 to `most` from a stored text, which may be damaged. Throws std::out_of_range for any
+// other value. Checks the value before the conversion, because C++ does not define the conversion of other values.
+std::uint64_t whole_number(const nlohmann::ordered_json& json, std::uint64_t most = UINT64_MAX);
 
 }  // namespace regista::campaign

@@ -7,25 +7,28 @@
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
-
-#include "campaign/campaign_error.hpp"
 
 namespace regista::campaign {
 namespace {
 
-bool same_match(const Decided& one, const Decided& other) {
+bool same_match(const MatchResult& one, const MatchResult& other) {
   return one.score == other.score && one.ended == other.ended && one.hash == other.hash && one.metrics == other.metrics;
 }
 
-const char* side_of(const Failure& failure) { return failure.side == 0 ? "home" : "away"; }
+// Returns a place in a match as "home, robot 3, tick 41: ".
+std::string place(int side, int robot, std::uint64_t tick) {
+  return fmt::format("{}, robot {}, tick {}: ", side == 0 ? "home" : "away", robot, tick);
+}
 
-// How a play failed: the worker's end, or what it answered.
+std::string place(const Failure& failure) { return place(failure.side, failure.robot, failure.tick); }
+
+// Describes the failure of a play from the worker's answer; without an answer, returns the text `end`.
 std::string what_failed(const std::string& end, const std::optional<Answer>& answer) {
   if (!answer) return end;
   if (answer->kind != Answer::Kind::failed) return answer->message;
   const Failure& failure = *answer->decided.failure;
-  if (failure.plugin.empty()) return fmt::format("a plugin of the {} team: {}", side_of(failure), failure.what);
+  if (failure.plugin.empty())
+    return fmt::format("a plugin of the {} team: {}", failure.side == 0 ? "home" : "away", failure.what);
   return fmt::format("plugin {}, {}: {}", failure.plugin, failure.call, failure.what);
 }
 
@@ -46,7 +49,7 @@ MatchRun::MatchRun(Job job, const Limits& limits, bool twice, std::string failur
   start(Stage::first);
 }
 
-// Whether that play is one of those in which each team's process answers for itself.
+// Returns whether each team has its own process in this play, so that a failure of a process blames its team.
 bool MatchRun::isolated(Stage stage) const {
   return stage == Stage::isolated ||
          (stage == Stage::first && (limits_.isolation == Isolation::always || limits_.allow_shared_memory));
@@ -61,7 +64,7 @@ Separation MatchRun::separation(Stage stage) const {
       return limits_.allow_shared_memory ? Separation::teams : Separation::robots;
     case Stage::isolated:
       return Separation::teams;
-    case Stage::recording:  // needs the minds in the match's own process
+    case Stage::recording:  // a recording needs the minds in the process of the match
       return Separation::none;
     default:
       return apart ? Separation::teams : Separation::none;
@@ -73,18 +76,18 @@ void MatchRun::start(Stage stage) {
   Job job = job_;
   job.limits = limits_;
   job.separation = separation(stage);
-  // Another folder, environment, date and addresses, to see whether the match depends on them. Whoever failed there may
-  // do so for want of a file: whether that is a fault, a play where the first one was decides.
-  job.elsewhere =
+  // Perturbed plays have another folder, environment, date and addresses, because the match must not depend on these. A
+  // plugin may fail in a perturbed play because a file is missing. A normal play decides whether this is a fault.
+  job.perturbed =
       stage == Stage::second || stage == Stage::traced || stage == Stage::traced_alone || stage == Stage::traced_hiding;
   job.trail = is_traced(stage);
-  // Who is to blame for a death must not be looked at otherwise than in the first play.
+  // accounts: this isolated play must explain a failed second play. Other isolated plays search the cause of a death.
   const bool accounts = stage == Stage::isolated && first_;
   job.hides = stage == Stage::second || stage == Stage::traced_hiding || accounts;
-  if (stage == Stage::second) job.look = plugin::Look::often;
+  if (stage == Stage::second) job.look = plugin::Inspection::often;
   const bool judges = stage == Stage::isolated || (stage == Stage::first && limits_.isolation == Isolation::always);
-  if (judges) job.look = plugin::Look::answers;
-  if (accounts || job.trail) job.look = plugin::Look::always;
+  if (judges) job.look = plugin::Inspection::answers;
+  if (accounts || job.trail) job.look = plugin::Inspection::always;
   if (stage != Stage::first || job.is_apart()) job.record.clear();
   if (stage == Stage::recording) {
     job.expects_failure = decided_->failure.has_value();
@@ -104,7 +107,8 @@ bool MatchRun::advance() {
   return complete_;
 }
 
-// What runs then is no code of anybody's.
+// Throws CampaignError if the file of a plugin was overwritten during the match. The plugin may then have run a mixture
+// of old and new code, so no team is to blame.
 void MatchRun::blame_nobody_for_overwritten_files(const std::string& what) const {
   for (const auto& [file, before] : plugin_files_) {
     if (plugin::stamp_of(file) == before) continue;
@@ -125,10 +129,7 @@ void MatchRun::settle() {
       what = "wrote an answer that cannot be read";
     }
   }
-  if (stage_ == Stage::recording) {
-    recorded(end, answer);
-    return;
-  }
+  if (stage_ == Stage::recording) return recorded(end, answer);
   seconds_ += end.seconds;
   const bool again = stage_ != Stage::first && stage_ != Stage::isolated;
   if (!again || output_.empty()) output_ = end.output;
@@ -136,20 +137,18 @@ void MatchRun::settle() {
   if (answer && (answer->kind == Answer::Kind::changed || answer->kind == Answer::Kind::refused)) {
     throw CampaignError(CampaignError::Kind::input, answer->message);
   }
-  if (answer && answer->kind == Answer::Kind::played) {
-    played(*answer);
-    return;
-  }
-  blame_nobody_for_overwritten_files(answer && answer->kind == Answer::Kind::failed ? answer->decided.failure->what
-                                                                                    : what);
+  if (answer && answer->kind == Answer::Kind::played) return played(*answer);
+  const std::optional<Failure> failure =
+      answer && answer->kind == Answer::Kind::failed ? answer->decided.failure : std::nullopt;
+  blame_nobody_for_overwritten_files(failure ? failure->what : what);
   Attempt attempt{isolated(stage_), false, from_outside, {}, what_failed(what, answer)};
   if (!answer && separation(stage_) == Separation::none) attempt.what = in_words(what, end.note);
-  if (answer && answer->kind == Answer::Kind::failed) {
-    if (stage_ == Stage::second) second_failure_ = answer->decided.failure;
+  if (failure) {
+    if (stage_ == Stage::second) second_failure_ = failure;
     attempt.from_outside = answer->from_outside;
-    if (isolated(stage_)) attempt.failure = *answer->decided.failure;
+    if (isolated(stage_)) attempt.failure = failure;
   }
-  // A play that only holds the first one to account is begun once more: a kill changes no report.
+  // A kill from outside must not change the report: a play that tests or explains the first play is repeated.
   if (again && attempt.from_outside && killed_++ < isolated_plays) {
     accident_ = attempt.what;
     start(stage_);
@@ -219,16 +218,15 @@ void MatchRun::played(const Answer& answer) {
   }
   switch (judge(attempts_)) {
     case Judgement::counts: {
-      Decided out = answer.decided;
+      MatchResult out = answer.decided;
       if (attempts_.size() > 1) accident_ = attempts_.front().what;
-      // A kill changes no report.
       if (twice_ && !limits_.allow_shared_memory && !attempts_.front().from_outside)
         out.unproven = "the first play died: " + attempts_.front().what;
       decide(out);
       break;
     }
     case Judgement::set_aside: {
-      Decided out;
+      MatchResult out;
       out.ended = "set_aside";
       out.why_set_aside = why_set_aside(attempts_);
       decide(out);
@@ -248,10 +246,8 @@ void MatchRun::failed(Attempt attempt) {
         decide(forfeit(failure, 0.0));
         break;
       }
-      // The first play stands: other matches of its pairing are not looked at so closely either.
-      first_->broken = failure.robot == 0 ? attempts_.back().what
-                                          : fmt::format("{}, robot {}, tick {}: {}", side_of(failure), failure.robot,
-                                                        failure.tick, attempts_.back().what);
+      // The broken promise does not change the result, because other matches of the pairing are not inspected closely.
+      first_->broken = (failure.robot == 0 ? "" : place(failure)) + attempts_.back().what;
       if (limits_.allow_shared_memory)
         decide_first();
       else
@@ -267,16 +263,16 @@ void MatchRun::failed(Attempt attempt) {
   }
 }
 
-// A play that was to hold the first one to account has been played to its end: the second one, or that of each team by
-// itself where the second one failed.
-void MatchRun::compare(const Decided& again) {
+// Called when a play that tests the first play came to its end: the second play or, if that failed, an isolated play.
+void MatchRun::compare(const MatchResult& again) {
   first_->kept = again.kept;
   alone_ = alone_ || stage_ == Stage::second;
   if (!same_match(*first_, again) && first_->shared.empty()) {
     start(Stage::traced);
     return;
   }
-  // Elsewhere a plugin may have missed a file. Here it may miss its teammates.
+  // The second play may have failed because a file was missing in its folder, or because each robot had a process of
+  // its own. A play of Stage::alone has the usual folder, so only the second cause can make this play fail.
   const bool second_failed = stage_ == Stage::isolated && !attempts_.front().from_outside;
   if (second_failed && first_->shared.empty() && !limits_.allow_shared_memory)
     start(Stage::alone);
@@ -290,7 +286,7 @@ void MatchRun::decide_different() {
   decide_first();
 }
 
-// A play that was to say why two plays differ, or why the second one failed.
+// Called when a play failed that should explain why two plays differ, or why the second play failed.
 void MatchRun::explanation_failed(const Attempt& attempt, const std::optional<Answer>& answer) {
   if (attempt.from_outside) {
     accident_ = attempt.what;
@@ -298,19 +294,18 @@ void MatchRun::explanation_failed(const Attempt& attempt, const std::optional<An
     first_->irreproducible = "the results of two plays differ; a third one failed: " + attempt.what;
   } else if (answer && answer->kind == Answer::Kind::failed && first_->shared.empty()) {
     const Failure& failure = *answer->decided.failure;
-    // What fails by chance fails elsewhere or otherwise.
+    // Ignores a failure that differs from the failure of the second play, because such a failure is random.
     if (failure == second_failure_)
-      first_->shared = fmt::format("{}, robot {}, tick {}: {}, where its robot is alone in a process", side_of(failure),
-                                   failure.robot, failure.tick, attempt.what);
+      first_->shared = place(failure) + attempt.what + ", where its robot is alone in a process";
   }
   decide_first();
 }
 
-// The first play counts, whatever came of those that held it to account.
+// Decides the match by the result of the first play. The findings of later plays do not change this result.
 void MatchRun::decide_first() {
   if (!alone_ && first_->shared.empty() && !limits_.allow_shared_memory)
     first_->unproven = "no play with each robot in a process of its own came to its end";
-  // That the second play failed says nothing about the first one, which was played to its end.
+  // The first play came to its end, so a failure of the second play becomes only a remark.
   const auto failed = std::ranges::find(attempts_, false, &Attempt::played);
   if (failed != attempts_.end()) {
     if (failed->from_outside)
@@ -318,19 +313,20 @@ void MatchRun::decide_first() {
     else if (first_->irreproducible.empty() && first_->shared.empty() && first_->broken.empty())
       first_->irreproducible = "the second play failed, in another process and folder: " + failed->what;
   }
-  decide(Decided(*first_));
+  decide(MatchResult(*first_));
 }
 
 void MatchRun::note_outside(const OutsideNote& outside) {
   if (!first_) return;
   if (outside.unconfined != 0) first_->unproven = "this system does not confine processes (seccomp)";
   if (outside.what.front() == '\0' || !first_->shared.empty()) return;
-  first_->shared = fmt::format("{}, robot {}, tick {}: plugin {} tried to {} in {}",
-                               outside.call.side == 0 ? "home" : "away", outside.call.robot, outside.call.tick,
-                               outside.call.plugin.data(), outside.what.data(), outside.call.call.data());
+  const plugin::CallNote& call = outside.call;
+  first_->shared =
+      place(call.side, call.robot, call.tick) +
+      fmt::format("plugin {} tried to {} in {}", call.plugin.data(), outside.what.data(), call.call.data());
 }
 
-void MatchRun::decide(Decided decided) {
+void MatchRun::decide(MatchResult decided) {
   decided.seconds = seconds_;
   decided.output = output_;
   decided_ = std::move(decided);
@@ -339,7 +335,7 @@ void MatchRun::decide(Decided decided) {
     remove(job_.record);
     return;
   }
-  // In the file of a match that failed in its first play, or was played with its minds elsewhere, is not what counts.
+  // The recording of the first play counts, unless a play failed or each team had its own process in the first play.
   const bool first_counts = attempts_.empty() || (attempts_.size() == 1 && attempts_.front().played);
   const bool wanted = decided_->failure ? !failure_record_.empty() || !job_.record.empty() : !job_.record.empty();
   if (!wanted || (first_counts && separation(Stage::first) == Separation::none)) return;
@@ -355,7 +351,7 @@ void MatchRun::recorded(const End& end, const std::optional<Answer>& answer) {
   not_recorded_.clear();
   if (answer && answer->kind == Answer::Kind::played) {
     not_recorded_ = answer->message;
-    // What was recorded is another match than the one that failed.
+    // The match did not fail in this play, so this is the recording of another match.
     if (decided_->failure) remove(file);
     if (decided_->failure && not_recorded_.empty()) not_recorded_ = "it did not fail where both teams share a process";
   } else if (!decided_->failure) {

@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/mind_host.hpp"
 
+#include <linux/futex.h>
 #include <regista/extensions/log.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
+#include <cassert>
+#include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <exception>
 #include <new>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "campaign/belief_wire.hpp"
-#include "campaign/job.hpp"
-#include "match/mind_belief.hpp"
 #include "match/teams.hpp"
-#include "mind/wire.hpp"
-#include "plugin/address_ranges.hpp"
-#include "plugin/failure.hpp"
+#include "mind/serialization.hpp"
+#include "plugin/elf_file.hpp"
 #include "plugin/fatal_signal.hpp"
-#include "plugin/own_memory.hpp"
 #include "plugin/process_state.hpp"
 #include "process/confinement.hpp"
 
 namespace regista::campaign {
 namespace {
+
+// FUTEX_PRIVATE_FLAG is not set, because two processes share the word.
+void sleep_while(std::atomic<std::uint32_t>& word, std::uint32_t value, const timespec* at_most) {
+  syscall(SYS_futex, &word, FUTEX_WAIT, value, at_most, nullptr, 0);
+}
+
+void wake(std::atomic<std::uint32_t>& word) { syscall(SYS_futex, &word, FUTEX_WAKE, 1, nullptr, nullptr, 0); }
 
 Failure failure_of(const plugin::Failure& failure, int side) {
   Failure out{side, failure.id(), failure.call(), 0, 0, failure.message()};
@@ -37,7 +42,7 @@ Failure failure_of(const plugin::Failure& failure, int side) {
   return out;
 }
 
-// Whatever came out of a call that is not a plugin's own word.
+// Returns the failure for an exception that is no plugin::Failure.
 Failure failure_of(const plugin::CallNote& note, int side, const char* what) {
   return {side, note.plugin.data(), note.call.data(), note.robot, note.tick, what};
 }
@@ -50,13 +55,13 @@ class MindHost {
         answers_wanted_(examination.answers),
         looks_at_memory_(examination.confined),
         channel_(channel) {
-    const plugin::Noting noting{&channel.note().call, static_cast<std::int32_t>(match::index(place.side)),
-                                examination.look, answers_wanted_ ? &answers_ : nullptr, examination.hides};
-    const mind::Telling telling{.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)};
+    const plugin::CallTracing tracing{&channel.note().call, static_cast<std::int32_t>(match::index(place.side)),
+                                      examination.look, answers_wanted_ ? &answers_ : nullptr, examination.hides};
+    const mind::MindOptions telling{.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)};
     if (place.robot == 0)
-      minds_ = match::minds(plan, place.side, seed, noting, telling);
+      minds_ = match::minds(plan, place.side, seed, tracing, telling);
     else
-      minds_.push_back(match::mind(plan, place.side, place.robot, seed, noting, telling));
+      minds_.push_back(match::mind(plan, place.side, place.robot, seed, tracing, telling));
   }
 
   void answer() {
@@ -95,11 +100,11 @@ class MindHost {
     if (answers_wanted_) out_(answers_);
   }
 
-  // What is made once, at its first use, is no news.
+  // Called after some decisions, so that data that a plugin creates at its first use do not count as a change.
   void remember_memory() {
     for (const void* const object : plugin::noted_objects()) memory_.emplace_back(object).remember();
   }
-  // "greedy.so: taken, worst.so"; mostly empty.
+  // Returns the files and variables that have changed: "greedy.so: taken, worst.so"; mostly empty.
   std::string kept_in_files() const {
     std::string out;
     for (const plugin::OwnMemory& each : memory_) {
@@ -126,7 +131,7 @@ class MindHost {
   texts::BytesOut out_;
 };
 
-// Handlers of signals take no arguments of ours.
+// A global variable, because a signal handler can use only global variables.
 std::atomic<WorkerNote*> tries{nullptr};
 
 void note_try(const char* what) {
@@ -146,7 +151,7 @@ void answer_failed(MindChannel& channel, const Failure& failure) {
   channel.answer(Reply::failed, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-// In a handler: what went wrong, as a failure.
+// To be called in a catch clause: answers the question with the present exception as a failure.
 void answer_what_was_thrown(MindChannel& channel, int number) {
   try {
     throw;
@@ -163,6 +168,40 @@ void answer_what_was_thrown(MindChannel& channel, int number) {
 
 }  // namespace
 
+void MindChannel::hand_over(std::uint32_t turn, std::uint32_t kind, std::span<const std::uint8_t> bytes) {
+  assert(bytes.size() <= most_bytes);
+  shared_->kind = kind;
+  shared_->size = static_cast<std::uint32_t>(bytes.size());
+  if (!bytes.empty()) std::memcpy(shared_->bytes, bytes.data(), bytes.size());
+  shared_->turn.store(turn, std::memory_order_release);
+  wake(shared_->turn);
+}
+
+void MindChannel::ask(Question question, int robot, std::span<const std::uint8_t> bytes) {
+  shared_->robot = robot;
+  hand_over(minds_turn, static_cast<std::uint32_t>(question), bytes);
+}
+
+void MindChannel::wait_for_reply(double seconds) {
+  if (replied()) return;
+  const auto whole = static_cast<std::time_t>(seconds);
+  const timespec at_most{whole, static_cast<long>((seconds - static_cast<double>(whole)) * 1e9)};
+  sleep_while(shared_->turn, minds_turn, &at_most);
+}
+
+void MindChannel::wait_for_question() {
+  while (shared_->turn.load(std::memory_order_acquire) != minds_turn) sleep_while(shared_->turn, match_turn, nullptr);
+}
+
+void MindChannel::answer(Reply kind, std::span<const std::uint8_t> bytes) {
+  hand_over(match_turn, static_cast<std::uint32_t>(kind), bytes);
+}
+
+// A plugin in the other process may have overwritten `size`, so this function limits `size`.
+std::span<const std::uint8_t> MindChannel::bytes() const {
+  return std::span(shared_->bytes).first(std::min<std::size_t>(shared_->size, most_bytes));
+}
+
 void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed, const Examination& examination,
                  MindChannel& channel) noexcept {
   const int number = static_cast<int>(match::index(place.side));
@@ -172,15 +211,15 @@ void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = ::getpid();
   try {
-    // Never destroyed but by the last question: what a plugin has damaged must not end this process before it has said
-    // which one it was.
+    // The host is never destroyed; only Question::finish ends its minds. A destructor in a damaged process could end
+    // the process before the process has reported the plugin.
     MindHost& host = *new MindHost(plan, place, seed, examination, channel);
     for (;;) {
       channel.answer(Reply::done, host.bytes());
       channel.wait_for_question();
       const bool last = channel.question() == Question::finish;
       host.answer();
-      if (::getpid() != here) ::_exit(1);  // a plugin has doubled the process: one of the two is enough
+      if (::getpid() != here) ::_exit(1);  // this is the child of a fork() by a plugin
       if (!last) continue;
       const std::string left = plugin::changes_since(before);
       if (left.empty()) {
@@ -191,14 +230,14 @@ void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64
       break;
     }
   } catch (...) {
-    // A plugin may have taken all memory, so that not even this can be said.
+    // A plugin may have taken all memory, so that even the answer fails.
     try {
       answer_what_was_thrown(channel, number);
     } catch (...) {
       channel.answer(Reply::no_memory, {});
     }
   }
-  for (;;) pause();  // whoever asked ends this process
+  for (;;) pause();  // the match ends this process
 }
 
 }  // namespace regista::campaign

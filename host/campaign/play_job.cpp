@@ -16,32 +16,30 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "campaign/decision_trail.hpp"
 #include "campaign/isolated_match.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/match_json.hpp"
-#include "campaign/worker_process.hpp"
-#include "config/bad_input.hpp"
-#include "match/names.hpp"
+#include "campaign/match_encoding.hpp"
+#include "campaign/match_inputs.hpp"
+#include "config/errors.hpp"
+#include "match/game_state.hpp"
 #include "match/teams.hpp"
-#include "mcap/error.hpp"
-#include "plugin/failure.hpp"
+#include "mcap/file_io.hpp"
+#include "plugin/fatal_signal.hpp"
 #include "plugin/process_state.hpp"
-#include "process/date.hpp"
-#include "process/descriptor.hpp"
+#include "process/confinement.hpp"
+#include "process/file_descriptor.hpp"
 #include "recording/match_recording.hpp"
 
 namespace regista::campaign {
 namespace {
 
-// The recording of a match of a campaign: when it cannot be written, the match is played to its end all the same.
+// The recording of a match of a campaign. An error of the recording does not stop the match.
 class JobRecording {
  public:
   JobRecording(const Job& job, const MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
                const std::string& program) {
-    // Whoever started this process keeps it with the match.
+    // Plugins log to standard error, because the coordinator stores this output with the result of the match.
     observer_.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log);
     observer_.outcomes_alone = job.record.empty();
     if (job.record.empty()) return;
@@ -49,7 +47,7 @@ class JobRecording {
     const std::string opening = prepared.setup.opening ? prepared.setup.opening->name : "";
     try {
       std::filesystem::create_directories(std::filesystem::path(job.record).parent_path());
-      file_.emplace(job.record, recording::RecordedSetup{plans, program, plain_command(job), opening, job.seed},
+      file_.emplace(job.record, recording::RecordedSetup{plans, program, match_command(job), opening, job.seed},
                     recording::MatchRecording::Options{.replace = true, .at_stake = job.expects_failure ? 0.1 : 2.0});
     } catch (const std::filesystem::filesystem_error& error) {
       why_not_ = fmt::format("{}: {}", job.record, error.code().message());
@@ -73,7 +71,7 @@ class JobRecording {
 
   const match::Observer* observer() const { return &observer_; }
   const match::AfterDecision& after() const { return after_; }
-  // Ends it; why there is none although there should be, else empty.
+  // Ends the recording. Returns why a wanted recording is missing; otherwise empty.
   std::string close() {
     write([&] { file_->close(); });
     return why_not_;
@@ -88,7 +86,7 @@ class JobRecording {
     } catch (const mcap::Error& error) {
       why_not_ = error.what();
       file_.reset();
-      // The room it takes is needed for the results.
+      // Deletes the unfinished file, because the results need its disk space.
       std::error_code none;
       std::filesystem::remove(place_, none);
     }
@@ -101,7 +99,7 @@ class JobRecording {
   match::AfterDecision after_;
 };
 
-// Only what the loader of shared objects and tools that look into a process read stays as it is.
+// Keeps only variables for the loader and for tools that inspect a process. Sets other values of HOME, LANG and TZ.
 void change_environment() {
   constexpr std::array<std::string_view, 4> kept{"PATH=", "LD_", "GCOV", "LLVM_PROFILE"};
   std::vector<std::string> names;
@@ -116,14 +114,14 @@ void change_environment() {
   ::setenv("TZ", "<+0723>-7:23", 1);
 }
 
-// To another place and time: nothing that a match may depend on is there.
-void go_elsewhere() {
+// Changes the folder, environment, memory addresses and date of this process. A match must not depend on these.
+void perturb_surroundings() {
   std::error_code none;
   std::filesystem::current_path("/", none);
   change_environment();
-  // Whatever is allocated from now on lies elsewhere.
+  // Changes the addresses of later allocations.
   static const std::vector<char> padding(300'007);
-  // Another year, month, day of the week and hour.
+  // An offset that changes the year, month, day of the week and hour of the date.
   constexpr std::int64_t earlier = (((417 * 24) + 7) * 60 + 23) * 60 + 19;  // s
   process::set_date_back(earlier);
 }
@@ -144,8 +142,8 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
   const pid_t here = getpid();
   const match::Result result = match::play(std::move(prepared.setup), plans, recording.observer(), after,
                                            {&note.call, 0, job.look, trail ? &answers : nullptr, job.hides});
-  if (getpid() != here) _exit(1);  // a plugin has doubled the process: one of the two is enough
-  note.call = {};                  // whatever dies from now on dies in no plugin's call
+  if (getpid() != here) _exit(1);  // this is the child of a fork() by a plugin
+  note.call = {};                  // so that a later death is not blamed on this call of a plugin
   if (const std::string left = plugin::changes_since(before); !left.empty()) {
     throw std::runtime_error("a plugin " + left);
   }
@@ -165,95 +163,101 @@ match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::arr
                        {job.look, job.hides, trail.has_value(), alone}, after, note, kept);
 }
 
-Answer failed(const plugin::Failure& failure) {
-  Answer answer;
-  if (!failure.caller()) {
-    answer.message = failure.what();
-    return answer;
+Answer failed(const Failure& failure, bool from_outside) {
+  return {.kind = Answer::Kind::failed, .decided = {.failure = failure}, .from_outside = from_outside};
+}
+
+// Returns the plugins of the job's teams. If each team has a process, this process loads no plugin: a plugin that fails
+// must fail in its team's process. If the teams share a process, this process loads the plugins now.
+plugin::Catalogue plugins_of(const Job& job, const Surroundings& surroundings) {
+  if (job.plugin_files.empty()) return surroundings.open_plugins(job.plugins);
+  const std::vector<std::filesystem::path> files(job.plugin_files.begin(), job.plugin_files.end());
+  using Looking = plugin::Catalogue::Looking;
+  plugin::Catalogue out =
+      plugin::Catalogue::of_files(files, job.separation == Separation::teams ? Looking::in_a_child : Looking::here);
+  // All plugins were usable when the job was made, so a file has changed since.
+  if (!out.refused().empty()) {
+    throw config::BadInput(fmt::format("{}; that was not so at the beginning", to_string(out.refused().front())));
   }
-  answer.kind = Answer::Kind::failed;
-  answer.decided.failure = Failure{failure.caller()->noting.side, failure.id(),           failure.call(),
-                                   failure.caller()->robot,       failure.caller()->tick, failure.message()};
-  return answer;
+  return out;
 }
 
-Answer refused(const char* why) {
-  Answer answer;
-  answer.kind = Answer::Kind::refused;
-  answer.message = why;
-  return answer;
-}
-
-Answer failed(const Fault& fault) {
-  Answer answer;
-  answer.kind = Answer::Kind::failed;
-  answer.decided.failure = fault.failure();
-  answer.from_outside = fault.from_outside();
-  return answer;
+Answer play(const Surroundings& surroundings, WorkerNote& note) {
+  const Job job = job_from_json(process::everything_in(STDIN_FILENO));
+  if (!job.is_apart()) plugin::note_fatal_signals(note.fatal);
+  const plugin::Catalogue catalogue = plugins_of(job, surroundings);
+  MatchSetup prepared = match_setup(request_of(job), catalogue, KeyNames::former_too);
+  // The coordinator uses the same program and mathematics library, so their hashes are taken from the job.
+  const std::string changed =
+      what_changed(job, prepared, catalogue, input_of(job, program_input), input_of(job, mathematics_input), job.root);
+  if (!changed.empty()) return {.kind = Answer::Kind::changed, .message = changed};
+  return play_job(job, std::move(prepared), surroundings.program, note);
 }
 
 }  // namespace
 
 Answer play_job(const Job& job, MatchSetup prepared, const std::string& program, WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
-  PlayedMatch played;
-  played.seed = job.seed;
-  played.packets_share = packets_share_of(prepared.setup);
-  for (const match::Side side : match::both_sides) {
-    played.teams[match::index(side)] = plans[match::index(side)]->team().name;
-    played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
-  }
+  PlayedMatch played = match_to_play(prepared);
   JobRecording recording(job, prepared, plans, program);
   std::optional<TrailWriter> trail;
   if (job.trail) trail.emplace(trail_descriptor);
-  if (job.elsewhere) go_elsewhere();
+  if (job.perturbed) perturb_surroundings();
   std::string kept;
   try {
     played.result = job.is_apart() ? play_isolated(job, prepared, plans, trail, note, kept)
                                    : play_here(job, prepared, plans, recording, trail, note);
   } catch (const std::invalid_argument& error) {
-    throw config::BadInput(error.what());  // profiles and teams that do not go together
+    throw config::BadInput(error.what());  // rules, robot and teams do not fit together
   }
-  if (trail) trail->close();
-  Answer answer;
-  answer.kind = Answer::Kind::played;
-  answer.message = recording.close();
-  answer.decided.score = played.result.score;
-  answer.decided.ended = match::name(played.result.ended);
-  answer.decided.hash = match::hash_text(played.result.hash);
-  answer.decided.metrics = numbers_of(played);
-  answer.decided.kept = kept;
-  return answer;
+  if (trail) trail->flush();
+  const std::string not_recorded = recording.close();
+  const match::Result& result = played.result;
+  return {.kind = Answer::Kind::played,
+          .decided = {.score = result.score,
+                      .ended = match::name(result.ended),
+                      .hash = match::hash_text(result.hash),
+                      .metrics = numbers_of(played),
+                      .kept = kept},
+          .message = not_recorded};
 }
 
 Answer answer_of(const std::function<Answer()>& play) {
   try {
     return play();
   } catch (const Fault& fault) {
-    return failed(fault);
+    return failed(fault.failure, fault.from_outside);
   } catch (const plugin::Failure& failure) {
-    return failed(failure);
+    const auto& caller = failure.caller();
+    if (!caller) return {.message = failure.what()};
+    return failed({caller->tracing.side, failure.id(), failure.call(), caller->robot, caller->tick, failure.message()},
+                  false);
   } catch (const config::BadInput& error) {
-    return refused(error.what());
+    return {.kind = Answer::Kind::refused, .message = error.what()};
   } catch (const config::Error& error) {
-    return refused(error.what());
+    return {.kind = Answer::Kind::refused, .message = error.what()};
   } catch (const std::bad_alloc&) {
-    Answer answer;
-    answer.message = "no memory is left";
-    return answer;
+    return {.message = "no memory is left"};
   } catch (const std::exception& error) {
-    Answer answer;
-    answer.message = error.what();
-    return answer;
+    return {.message = error.what()};
   } catch (...) {
-    Answer answer;
-    answer.message = "something that is no exception was thrown";
-    return answer;
+    return {.message = "something that is no exception was thrown"};
   }
 }
 
 bool hand_over(const Answer& answer) {
   return process::write_all(answer_descriptor, std::string(answer_mark) + to_json(answer) + '\n');
+}
+
+bool play_one(const Surroundings& surroundings) {
+  std::optional<SharedNote> note;
+  try {
+    note.emplace(process::FileDescriptor(note_descriptor));
+  } catch (const std::system_error&) {
+    throw config::BadInput(
+        fmt::format("{}: is for the program itself, which starts it for each match of a tournament", worker_command));
+  }
+  return hand_over(answer_of([&] { return play(surroundings, **note); }));
 }
 
 }  // namespace regista::campaign

@@ -11,29 +11,27 @@
 #include <thread>
 #include <utility>
 
-#include "campaign/row_checksum.hpp"
-#include "campaign/stored_matches.hpp"
+#include "campaign/stored_row.hpp"
 
 namespace regista::campaign {
 namespace {
 
-constexpr std::size_t most_named = 10;  // damaged rows
+constexpr std::size_t most_named = 10;  // largest number of damaged rows that a message names
 
 std::string tables() { return StoredFixtures::tables + StoredMatches::tables() + StoredDocuments::tables; }
 
 constexpr auto between_tries = std::chrono::milliseconds(100);
 constexpr auto usual_patience = std::chrono::seconds(5);
-constexpr auto least_patience = std::chrono::milliseconds(500);  // also of a program that was asked to stop
+constexpr auto least_patience = std::chrono::milliseconds(500);  // shortest wait, even if go_on returns false
 
-// A match that is to be written.
 struct Waiting {
   std::int64_t row;
   MatchKey key;
-  Decided decided;
+  MatchResult decided;
   int attempts;
 };
 
-// While it lives, a lock of another program is an error at once.
+// While this object exists, SQLite does not wait for a lock of another program, but immediately reports an error.
 class NoPatience {
  public:
   explicit NoPatience(SQLite::Database& database) : database_(database) { database.setBusyTimeout(0); }
@@ -45,8 +43,8 @@ class NoPatience {
   SQLite::Database& database_;
 };
 
-// In memory, about.
-std::size_t size_of(const Decided& decided) {
+// Returns the approximate size of a waiting match in memory, in bytes.
+std::size_t size_of(const MatchResult& decided) {
   const auto texts = {&decided.why_set_aside, &decided.irreproducible, &decided.shared, &decided.broken,
                       &decided.kept,          &decided.unproven,       &decided.output};
   std::size_t out = sizeof(Waiting) + decided.metrics.values().size_bytes();
@@ -54,9 +52,9 @@ std::size_t size_of(const Decided& decided) {
   return out;
 }
 
-// Also for what stands in the file but was not written by this program.
-template <class Parts, class Work>
-auto guarded(Parts& parts, Work work) {
+// Runs `work` and converts its exceptions into StoreError, also exceptions for contents that are damaged.
+template <class Impl, class Work>
+auto guarded(Impl& parts, Work work) {
   const auto about = [&](const SQLite::Exception& error) {
     const std::string text = fmt::format("results in {}: {}", parts.file.name(), reason(error));
     const std::size_t lost = std::exchange(parts.lost, 0);
@@ -84,14 +82,14 @@ auto guarded(Parts& parts, Work work) {
 
 }  // namespace
 
-struct Store::Parts {
-  Parts(const std::filesystem::path& path, Mode mode, const std::string& version, Journal journal)
+struct Store::Impl {
+  Impl(const std::filesystem::path& path, Mode mode, const std::string& version, Journal journal)
       : file(path, mode, version, tables(), journal),
         fixtures(file.database()),
         documents(file.database()),
         matches(opened(file)) {}
 
-  // Also a file of ours may have been changed by others.
+  // Refuses a file of this program in which another program has changed the tables.
   static StoredMatches opened(StoreFile& file) {
     try {
       return StoredMatches(file.database(), file.written_to());
@@ -100,11 +98,11 @@ struct Store::Parts {
     }
   }
 
-  // What is said of one of them: which one, why, and how many there are.
+  // Returns the message for a damaged row: the row, the reason, and the other damaged rows.
   std::string damage(const DamagedRow& found) {
-    std::string out = fmt::format("results in {} are damaged: match {}: {}", file.name(), found.row(), found.what());
+    std::string out = fmt::format("results in {} are damaged: match {}: {}", file.name(), found.row, found.what());
     std::vector<std::int64_t> others = matches.damaged_rows();
-    std::erase(others, found.row());
+    std::erase(others, found.row);
     if (others.empty()) return out;
     const std::size_t named = std::min(others.size(), most_named);
     out += fmt::format("; {} {} cannot be read either", others.size() == 1 ? "match" : "matches",
@@ -112,8 +110,7 @@ struct Store::Parts {
     return named == others.size() ? out : out + fmt::format(", nor can {} more", others.size() - named);
   }
 
-  // All that is read between two rows written is read in one transaction: without one, SQLite locks and unlocks the
-  // file for every single row.
+  // Begins the transaction of all reads before the next write, so that SQLite does not lock the file for each row.
   void begin_reading() {
     if (std::exchange(reading, true)) return;
     file.database().exec("BEGIN");
@@ -124,7 +121,7 @@ struct Store::Parts {
     file.database().exec("COMMIT");
   }
 
-  // Does what writes, in one transaction. Throws SQLite::Exception at once where another program holds the lock.
+  // Runs `work`, which writes, in one transaction. Throws SQLite::Exception if another program holds the lock.
   template <class Work>
   void write_now(Work work) {
     file.require();
@@ -136,7 +133,7 @@ struct Store::Parts {
     file.remember();
   }
 
-  // All matches that wait, each by itself: what one of them adds to other tables is known only once it is there.
+  // Writes each waiting match in its own transaction, because a match may need metric names that an earlier match adds.
   void write_waiting_now() {
     while (!waiting.empty()) {
       const Waiting& first = waiting.front();
@@ -146,7 +143,7 @@ struct Store::Parts {
     }
   }
 
-  // Does what writes as soon as that can be, after all that waits. What waits is lost where that is given up.
+  // Waits for the lock, writes all waiting matches and runs `work`. Loses the waiting matches if go_on stops the wait.
   template <class Work>
   void write(Work work) {
     for (;;) {
@@ -174,7 +171,7 @@ struct Store::Parts {
     return std::chrono::duration_cast<std::chrono::milliseconds>(std::chrono::steady_clock::now() - *locked_since);
   }
 
-  // The lock was not to be had just now.
+  // Called when another program holds the lock. Returns whether the store continues to wait.
   bool goes_on_waiting() {
     if (!locked_since) locked_since = std::chrono::steady_clock::now();
     if (!go_on) return locked_for() < usual_patience;
@@ -194,13 +191,13 @@ struct Store::Parts {
   bool reading = false;
   std::deque<Waiting> waiting;
   std::size_t waiting_bytes = 0;
-  std::size_t lost = 0;  // matches that waited when that was given up
+  std::size_t lost = 0;  // number of waiting matches that the store has dropped
   std::function<bool(const Locked&)> go_on;
   std::optional<std::chrono::steady_clock::time_point> locked_since;
 };
 
 Store::Store(const std::filesystem::path& file, Mode mode, const std::string& program_version, Journal journal)
-    : parts_(std::make_unique<Parts>(file, mode, program_version, journal)) {}
+    : parts_(std::make_unique<Impl>(file, mode, program_version, journal)) {}
 Store::~Store() = default;
 Store::Store(Store&&) noexcept = default;
 
@@ -231,7 +228,7 @@ std::vector<Document> Store::documents() const {
   return guarded(*parts_, [&] { return parts_->documents.all(); });
 }
 
-std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
+std::optional<MatchResult> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
   const auto waits = std::ranges::find(parts_->waiting, key, &Waiting::key);
   if (waits != parts_->waiting.end()) return waits->decided;
   return guarded(*parts_, [&] {
@@ -240,7 +237,7 @@ std::optional<Decided> Store::find(std::int64_t row, const MatchKey& key, Metric
   });
 }
 
-void Store::insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts) {
+void Store::insert(std::int64_t row, const MatchKey& key, const MatchResult& decided, int attempts) {
   parts_->waiting.push_back({row, key, decided, attempts});
   parts_->waiting_bytes += size_of(decided);
   write_waiting();
@@ -255,11 +252,11 @@ bool Store::write_waiting() {
       return true;
     } catch (const SQLite::Exception& error) {
       if (error.getErrorCode() != SQLITE_BUSY) {
-        parts_->give_up();                                       // no other try mends it
-        parts_->lost = parts_->lost > 0 ? parts_->lost - 1 : 0;  // the last did not wait
+        parts_->give_up();                                       // a retry does not help
+        parts_->lost = parts_->lost > 0 ? parts_->lost - 1 : 0;  // without the newest match, which never waited
         throw;
       }
-      parts_->goes_on_waiting();  // which reports it
+      parts_->goes_on_waiting();  // calls go_on, which may report the lock
       return false;
     }
   });
@@ -275,7 +272,7 @@ bool Store::waiting_is_full() const { return parts_->waiting_bytes > most_waitin
 void Store::when_locked(std::function<bool(const Locked&)> go_on) { parts_->go_on = std::move(go_on); }
 
 Taken Store::take(const Store& other, Unknown unknown) {
-  Parts& there = *other.parts_;
+  Impl& there = *other.parts_;
   const auto theirs = guarded(there, [&] {
     there.begin_reading();
     return there.fixtures.keys();

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Results of matches in an SQLite file: a row per match, and what was to be played. Written through a log (WAL) row by
-// row, so that a coordinator killed at any moment loses the matches under way and no other.
+// The SQLite file with the results of a study: the study's plan, and one row for each decided match. The store writes
+// each row in its own transaction. A coordinator that is killed at any moment loses only the matches under way.
 //
-//   fixtures(id, key, job)            all that a match is a function of, but its seed: see inputs.hpp
-//   matches(row, fixture, seed, ...)  one row per fixture and seed, never two; row: its place in the schedule, from 1
-//   metric_names(id, names, ...)      what numbers of matches are called: see metric_bytes.hpp
-//   metrics(row, names, size, ...)    numbers of matches played to their end, under such names
-//   packets(row, numbers, ...)        those of them that reports of short games need: see stored_packets.hpp
-//   documents(path, size, content)    the files that the study was begun with
+//   fixtures(id, key, job)            matches without their seeds: a key made of the inputs, and a job (job.hpp)
+//   matches(row, fixture, seed, ...)  exactly one row per fixture and seed; row: place in the schedule, from 1
+//   metric_names(id, names, ...)      the names of metrics: see match_encoding.hpp
+//   metrics(row, names, size, ...)    the metrics of each match that was played to its end
+//   packets(row, numbers, ...)        packets that both teams spent: reports of short games need no other metrics
+//   documents(path, size, content)    the files as they were when the study began
 //   remarks(row, kind, text)          why a match was set aside, where it was not reproducible, what plugins wrote
-//   meta(name, value)                 "program": version that made the file; "schedule": JSON, whatever the study says
+//   meta(name, value)                 "program": version that made the file; "schedule": the study's plan as JSON
 //
-// A seed stands there as the signed number with the same bits. What a forfeit has not is null. All rows carry a
-// checksum; one that does not fit is found when it is read. docs/results.md describes the file for other programs.
+// A seed is stored as the signed number with the same bits. In the row of a forfeit, columns without a value are null.
+// Every row has a checksum, which the store checks when it reads the row. docs/results.md describes the file for other
+// programs.
 //
-// Another program may hold the lock for writing, as somebody who looks at the file with SQLite's own shell does. Then
-// matches that have ended wait in memory, and are written as soon as it is free.
+// While another program, such as SQLite's own shell, holds the lock for writing, new results wait in memory.
 #pragma once
 
 #include <chrono>
@@ -30,20 +30,17 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/match_key.hpp"
-#include "campaign/store_error.hpp"
 #include "campaign/store_file.hpp"
-#include "campaign/stored_documents.hpp"
-#include "campaign/stored_fixtures.hpp"
 #include "campaign/stored_matches.hpp"
+#include "campaign/stored_setup.hpp"
 
 namespace regista::campaign {
 
-// Another program keeps us from writing.
+// The state of a store that could not write, because another program held the lock.
 struct Locked {
-  std::chrono::milliseconds since{};  // so long already
-  std::size_t matches = 0;            // that wait in memory
-  bool over = false;                  // it does so no longer: all is written
+  std::chrono::milliseconds since{};  // time since the store first found the file locked
+  std::size_t matches = 0;            // matches that wait in memory
+  bool over = false;                  // true: the lock is free again, and all matches are written
 };
 
 class Store {
@@ -51,74 +48,75 @@ class Store {
   using Mode = StoreMode;
   static constexpr std::size_t most_waiting_bytes = std::size_t{64} << 20;
 
-  // Holds the file for itself until its end, but for Mode::read. Throws StoreRefusal: another program's database,
-  // another schema, no permission, in use by another process; StoreDiskError when it cannot be made for lack of room.
+  // Opens or creates the file. Locks the file against other processes until this object is destroyed, except in
+  // Mode::read. Throws StoreRefusal for a database of another program, another schema, missing permission, or a file in
+  // use by another process. Throws StoreDiskError if a full or failing disk prevents the creation of a new file.
   Store(const std::filesystem::path& file, Mode mode, const std::string& program_version,
         Journal journal = Journal::log);
   ~Store();
   Store(Store&&) noexcept;
   Store& operator=(Store&&) = delete;
 
-  // All of these throw StoreError.
+  // All following functions throw StoreError.
 
-  // A text of the table meta; empty when it is not there.
+  // Returns the text with this name in the table meta; empty if the table has no such text.
   std::string meta(const std::string& name) const;
   void set_meta(const std::string& name, const std::string& value);
 
-  // The numbers of fixtures, in this order; those that are new are added, all at once.
+  // Adds the fixtures that are not stored yet, in one transaction. Returns the number of each fixture of `fixtures`.
   using Fixture = campaign::Fixture;
   std::vector<std::int64_t> add(std::span<const Fixture> fixtures);
-  // The same of those that there are; 0 for others.
+  // Returns for each key the number of the stored fixture with this key; 0 if no stored fixture has this key.
   std::vector<std::int64_t> numbers(std::span<const std::string> keys) const;
 
-  // The files that the study was begun with.
+  // Replaces the stored documents by `documents`, the files as they were when the study began.
   void keep(std::span<const Document> documents);
   std::vector<Document> documents() const;
 
-  // The match of a key. `row`: where it is looked for first.
-  std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;
-  // Refuses a key that is stored already, and a row that is taken. attempts: workers it took. Where another program
-  // holds the lock the match waits in memory, in which find() sees it, until write_waiting() or settle().
-  void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
-  // Tries to write what waits. False: something still does.
+  // Returns the match with this key, also a match that waits in memory. Reads `row` first, where the match usually is.
+  std::optional<MatchResult> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;
+  // Adds a match that took `attempts` plays. Throws StoreError if the key is already stored or the row is taken. While
+  // another program holds the lock, the match waits in memory until write_waiting() or settle() writes the match.
+  void insert(std::int64_t row, const MatchKey& key, const MatchResult& decided, int attempts);
+  // Writes the waiting matches if no other program holds the lock. Returns false if matches still wait.
   bool write_waiting();
-  // Writes all that waits, as soon as that can be.
+  // Waits until no other program holds the lock, then writes all waiting matches.
   void settle();
   bool waiting_is_full() const;
-  // Is called again and again while another program holds the lock: whether to go on waiting for it; and once when that
-  // is over. Where it says no, what must be written is given up; without it, after 5 s.
+  // The store calls `go_on` repeatedly while another program holds the lock, and once when the lock is free again. If
+  // `go_on` returns false, the store stops waiting, drops the waiting matches and throws StoreError. Without `go_on`,
+  // the store waits for 5 s.
   void when_locked(std::function<bool(const Locked& locked)> go_on);
 
   std::int64_t rows() const;
-  // Throws StoreGone when the name does not lead to the file that is written to any more, or something else wrote into
-  // it, for which the whole file is read. What writes throws it, too, as far as that is seen without.
+  // Reads the whole file. Throws StoreGone if the file was moved, deleted or replaced, or if another program wrote into
+  // the file. Functions that write make a quicker check for the same faults and throw StoreGone, too.
   void require_whole_file() const;
-  // What a reader of results must know of this file, one line; mostly empty.
+  // Returns a warning about this file for readers of its results, one line; empty for most files.
   std::string remark() const;
 
-  // Throws StoreDamaged for the first match in the rows from `from` to `to` that is none of the plan: for which
-  // `planned` is false.
+  // Throws StoreDamaged for the first match in the rows from `from` to `to` for which `planned` returns false.
   using Planned = std::function<bool(std::int64_t row, const MatchKey& key)>;
   void require_planned(std::int64_t from, std::int64_t to, const Planned& planned) const;
 
-  // Takes over the matches of another file of the same study that are not here yet, in their rows; all at once.
-  // unknown: matches of which nothing like them was planned here are refused, or planned from then on.
+  // Copies the matches of `other`, a file of the same study, that this file lacks, to the same rows, in one
+  // transaction. If this file lacks the fixture of a match, `refused` refuses the match, and `planned` adds the
+  // fixture.
   enum class Unknown { refused, planned };
   Taken take(const Store& other, Unknown unknown = Unknown::refused);
 
-  // Paths that the first rows have numbers under, each once, in the order in which they come up.
+  // Returns the paths of all metrics in rows 1 to `rows`, each path once, in the order of first appearance.
   match::MetricPaths metric_paths(std::int64_t rows) const;
 
-  // A stored match and what it was.
   struct Row {
     Job job;
-    Decided decided;
+    MatchResult decided;
   };
   std::optional<Row> row(std::int64_t row) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> parts_;
 };
 
 }  // namespace regista::campaign

@@ -13,24 +13,22 @@
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
-#include "campaign/row_checksum.hpp"
-#include "process/descriptor.hpp"
+#include "campaign/stored_row.hpp"
+#include "process/file_descriptor.hpp"
 #include "texts/message.hpp"
 
 namespace regista::campaign {
 namespace {
 
-constexpr int application = 0x52475354;          // "RGST": tells our files from those of other programs
-constexpr int one_thread = SQLITE_OPEN_NOMUTEX;  // each is used by one thread
+constexpr int application = 0x52475354;          // "RGST": marks files of this program
+constexpr int one_thread = SQLITE_OPEN_NOMUTEX;  // each database is used by one thread
 constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
 constexpr auto overwritten = "something else has written into the file: ";
 
-// Before it is opened: a pipe would wait for ever.
+// Must be called before a file is opened, because opening a pipe may wait for ever. Throws StoreRefusal.
 void refuse_what_is_no_file(const std::filesystem::path& file) {
   std::error_code none;
   const std::filesystem::file_status status = std::filesystem::status(file, none);
@@ -42,14 +40,14 @@ void refuse_what_is_no_file(const std::filesystem::path& file) {
 
 constexpr std::size_t head_size = 72;  // bytes
 
-// "Database File Format", sqlite.org: the application's number stands at byte 68, most significant byte first.
+// Returns whether the head has this program's application number, at byte 68 ("Database File Format", sqlite.org).
 bool is_head(std::string_view head) {
   int number = 0;
   for (const char each : head.substr(68, 4)) number = number << 8 | static_cast<unsigned char>(each);
   return head.starts_with("SQLite format 3") && number == application;
 }
 
-// What would mean something in an address of a file.
+// Escapes the characters that have a meaning in a URI.
 std::string in_address(const std::string& path) {
   std::string out;
   for (const char c : path) {
@@ -65,7 +63,6 @@ std::int64_t checksum_of_meta(const std::string& name, const std::string& value)
   return RowChecksum().bytes(name).bytes(value).value();
 }
 
-// For messages.
 std::string meaning_of_meta(const std::string& name) {
   if (name == "schedule") return "the plan of its study";
   if (name == "documents") return "the teams' documents";
@@ -74,60 +71,37 @@ std::string meaning_of_meta(const std::string& name) {
 
 }  // namespace
 
-// What a name leads to.
-struct StoreFile::Identity {
-  dev_t device = 0;
-  ino_t number = 0;
-  off_t size = 0;  // the file of results does not become shorter while it is open
-  bool same_file(const Identity& other) const { return device == other.device && number == other.number; }
-};
-
-std::optional<StoreFile::Identity> StoreFile::identity_of(const std::string& name) {
-  struct stat about {};
-  if (::stat(name.c_str(), &about) != 0) return std::nullopt;
-  return Identity{about.st_dev, about.st_ino, about.st_size};
-}
-
-// Held from before the database is opened until after it is closed: closing any descriptor of a file gives up the
-// locks that SQLite itself has on it.
+// The lock on the file. It must exist before the database is opened and until the database is closed, because closing
+// any descriptor of a file releases the locks of SQLite on this file.
 class StoreFile::Hold {
  public:
   Hold(const std::filesystem::path& file, bool create) {
-    const int flags = O_RDWR | O_CLOEXEC | (create ? O_CREAT | O_EXCL : 0);
-    descriptor_ = ::open(file.c_str(), flags, 0666);
-    if (descriptor_ == -1 && errno == EEXIST) {
+    file_.reset(::open(file.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT | O_EXCL : 0), 0666));
+    if (!file_.is_open() && errno == EEXIST) {
       throw StoreRefusal(
           fmt::format("{} exists already; --resume continues it, --results names another", file.string()));
     }
-    if (descriptor_ == -1) {
+    if (!file_.is_open())
       throw StoreRefusal(fmt::format("cannot write results to {}: {}", file.string(), std::strerror(errno)));
-    }
-    const std::error_code error = process::lock_file(descriptor_, process::FileLock::exclusive);
+    const std::error_code error = process::lock_file(file_.number, process::FileLock::exclusive);
     if (!error) return;
-    close(descriptor_);
     if (error == std::errc::operation_would_block)
       throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
     throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), error.message()));
   }
-  // Of a reader. A file with a log is read while it is written to, and is not held; one without a log is read only
-  // while nobody writes to it.
+  // Locks the file for a reader. Only a file without a log needs this lock against writers.
   explicit Hold(const std::string& file) {
-    descriptor_ = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ == -1) throw StoreRefusal(fmt::format("cannot read {}: {}", file, std::strerror(errno)));
-    std::array<unsigned char, 1>
-        version{};  // to write: 1 without a log, 2 with one ("Database File Format", sqlite.org)
-    const bool without_log = pread(descriptor_, version.data(), version.size(), 18) == 1 && version[0] == 1;
-    if (!without_log) {
-      close(std::exchange(descriptor_, -1));  // before SQLite has locks on it
+    file_.reset(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file_.is_open()) throw StoreRefusal(fmt::format("cannot read {}: {}", file, std::strerror(errno)));
+    unsigned char version = 0;  // write version: 1 without a log, 2 with a log ("Database File Format", sqlite.org)
+    if (pread(file_.number, &version, 1, 18) != 1 || version != 1) {
+      file_.reset();  // closed now, because closing would later release the locks of SQLite
       return;
     }
-    if (process::lock_file(descriptor_, process::FileLock::shared) == std::errc::operation_would_block) {
-      close(descriptor_);
+    if (process::lock_file(file_.number, process::FileLock::shared) == std::errc::operation_would_block)
       throw StoreInUse(fmt::format("{} is written to just now", file));
-    }
     std::error_code none;
     if (const auto size = std::filesystem::file_size(file + "-journal", none); !none && size > 0) {
-      close(descriptor_);
       throw StoreRefusal(
           fmt::format("{}: who wrote to it was killed; opened for writing, as by regista resume or gather, "
                       "it is whole again",
@@ -135,21 +109,19 @@ class StoreFile::Hold {
     }
   }
   ~Hold() {
-    if (descriptor_ == -1) return;
-    process::unlock_file(descriptor_);
-    close(descriptor_);
+    if (file_.is_open()) process::unlock_file(file_.number);
   }
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;
 
-  // Whether the file begins as those of this program do ("Database File Format", sqlite.org).
+  // Whether the file has the head of a file of this program ("Database File Format", sqlite.org).
   bool begins_as_ours() const {
     std::array<char, head_size> head{};
-    return pread(descriptor_, head.data(), head.size(), 0) == head_size && is_head({head.data(), head.size()});
+    return pread(file_.number, head.data(), head.size(), 0) == head_size && is_head({head.data(), head.size()});
   }
 
  private:
-  int descriptor_ = -1;
+  process::FileDescriptor file_;
 };
 
 std::string reason(const SQLite::Exception& error) {
@@ -181,11 +153,7 @@ bool is_store(const std::filesystem::path& file) {
 
 StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
                      const std::string& tables, Journal journal)
-    : name_(file.string()),
-      mode_(mode),
-      journal_(journal),
-      identity_(std::make_unique<std::optional<Identity>>()),
-      log_identity_(std::make_unique<std::optional<Identity>>()) {
+    : name_(file.string()), mode_(mode), journal_(journal) {
   open();
   try {
     prepare(program_version, tables);
@@ -198,7 +166,7 @@ StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const st
 void StoreFile::refuse(const SQLite::Exception& error) const {
   const std::string text = fmt::format("{}: {}", name_, reason(error));
   if (mode_ == StoreMode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
-  if (mode_ == StoreMode::create) {  // ours, and nothing is in it
+  if (mode_ == StoreMode::create) {  // this object created the file, which holds no results
     for (const char* const each : {"", "-wal", "-shm"}) {
       std::error_code none;
       std::filesystem::remove(name_ + each, none);
@@ -211,29 +179,21 @@ StoreFile::~StoreFile() = default;
 
 void StoreFile::open() {
   if (mode_ != StoreMode::create) refuse_what_is_no_file(name_);
-  if (mode_ != StoreMode::read) {
-    hold_ = std::make_unique<const Hold>(name_, mode_ == StoreMode::create);
-  } else {
-    hold_ = std::make_unique<const Hold>(name_);
-  }
+  const bool writes = mode_ != StoreMode::read;
+  hold_ =
+      writes ? std::make_unique<const Hold>(name_, mode_ == StoreMode::create) : std::make_unique<const Hold>(name_);
   try {
-    // A file in the current folder may be called ":memory:", which SQLite takes for no file at all.
+    // The path is absolute, because SQLite takes a file called ":memory:" for a database without a file.
     const std::string path = std::filesystem::absolute(name_).string();
-    if (mode_ != StoreMode::read && journal_ == Journal::rollback) {
-      // We hold the file; SQLite's own locks cost a question to the server each.
-      database_ =
-          std::make_unique<SQLite::Database>("file:" + in_address(path) + "?nolock=1",
-                                             SQLite::OPEN_READWRITE | one_thread | SQLite::OPEN_URI, wait_for_writers);
-    } else if (mode_ != StoreMode::read) {
-      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READWRITE | one_thread, wait_for_writers);
-    } else if (std::filesystem::exists(path + "-wal")) {
-      // A log beside it holds what was written last. Where there is none nobody writes, and none need be made.
-      database_ = std::make_unique<SQLite::Database>(path, SQLite::OPEN_READONLY | one_thread, wait_for_writers);
-    } else {
-      database_ =
-          std::make_unique<SQLite::Database>("file:" + in_address(path) + "?immutable=1",
-                                             SQLite::OPEN_READONLY | one_thread | SQLite::OPEN_URI, wait_for_writers);
-    }
+    // hold_ locks a file that this object writes. SQLite's own locks would cost requests to the file server, so
+    // Journal::rollback switches them off. A file that is only read and has no log is immutable: SQLite makes no log.
+    const bool no_lock = writes && journal_ == Journal::rollback;
+    const bool immutable = !writes && !std::filesystem::exists(path + "-wal");
+    const bool by_address = no_lock || immutable;
+    database_ = std::make_unique<SQLite::Database>(
+        by_address ? "file:" + in_address(path) + (no_lock ? "?nolock=1" : "?immutable=1") : path,
+        (writes ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY) | one_thread | (by_address ? SQLite::OPEN_URI : 0),
+        wait_for_writers);
   } catch (const SQLite::Exception& error) {
     throw StoreRefusal(fmt::format("cannot open {}: {}", name_, reason(error)));
   }
@@ -243,7 +203,7 @@ int StoreFile::pragma(const char* name) { return database_->execAndGet(fmt::form
 
 void StoreFile::prepare(const std::string& version, const std::string& tables) {
   if (mode_ == StoreMode::create) begin(version, tables);
-  // Killed between the creation of the file and that of its tables: as good as new.
+  // A program that was killed before it created the tables leaves an empty file, which is used like a new file.
   const bool blank = pragma("application_id") == 0 && pragma("page_count") == 0;
   if (mode_ == StoreMode::open && blank) begin(version, tables);
   if (mode_ == StoreMode::read && blank) throw StoreRefusal(fmt::format("{} holds no results yet", name_));
@@ -276,7 +236,6 @@ void StoreFile::begin(const std::string& version, const std::string& tables) {
   transaction.commit();
 }
 
-// Of a file that an older program made.
 void StoreFile::add_meta_checksums() {
   SQLite::Transaction transaction(*database_);
   database_->exec("ALTER TABLE meta ADD COLUMN checksum INTEGER NOT NULL DEFAULT 0");
@@ -300,30 +259,30 @@ std::string StoreFile::meta(const std::string& name) {
 }
 
 void StoreFile::set_meta(const std::string& name, const std::string& value) {
-  SQLite::Statement put(*database_, "INSERT OR REPLACE INTO meta(name, value, checksum) VALUES(?, ?, ?)");
-  put.bindNoCopy(1, name);
-  put.bindNoCopy(2, value);
-  put.bind(3, checksum_of_meta(name, value));
-  put.exec();
+  SQLite::Statement replace(*database_, "INSERT OR REPLACE INTO meta(name, value, checksum) VALUES(?, ?, ?)");
+  put(replace, name, value, checksum_of_meta(name, value));
 }
 
 void StoreFile::require_same(const std::string& name, std::optional<Identity>& known) {
-  const std::optional<Identity> now = identity_of(name);
-  if (known && (!now || !now->same_file(*known))) throw StoreGone(fmt::format("results in {}: {}", name, gone));
+  struct stat about {};
+  std::optional<Identity> now;
+  if (::stat(name.c_str(), &about) == 0) now = {about.st_dev, about.st_ino, about.st_size};
+  if (known && (!now || now->device != known->device || now->number != known->number))
+    throw StoreGone(fmt::format("results in {}: {}", name, gone));
   known = now;
 }
 
 void StoreFile::remember() {
-  require_same(name_, *identity_);
-  require_same(name_ + "-wal", *log_identity_);  // is there from the first row that is written on
+  require_same(name_, identity_);
+  require_same(name_ + "-wal", log_identity_);  // the log exists after the first written row
 }
 
 void StoreFile::require() {
-  const off_t size = *identity_ ? (*identity_)->size : 0;
+  const off_t size = identity_ ? identity_->size : 0;
   remember();
-  if (*identity_ && (*identity_)->size < size) {
+  if (identity_ && identity_->size < size) {
     throw StoreGone(
-        fmt::format("results in {}: {}it had {} bytes and has {}", name_, overwritten, size, (*identity_)->size));
+        fmt::format("results in {}: {}it had {} bytes and has {}", name_, overwritten, size, identity_->size));
   }
   if (written_to() && !hold_->begins_as_ours()) {
     throw StoreGone(fmt::format("results in {}: {}it does not begin as a file of results", name_, overwritten));
@@ -332,7 +291,7 @@ void StoreFile::require() {
 
 void StoreFile::require_whole() {
   require();
-  database_->exec("PRAGMA shrink_memory");  // what is in memory may be whole though the file is not
+  database_->exec("PRAGMA shrink_memory");  // empties the cache, which may be sound even if the file is not
   std::string said;
   try {
     said = database_->execAndGet("PRAGMA quick_check(1)").getString();

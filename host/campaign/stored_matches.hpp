@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/match_key.hpp"
 
 namespace SQLite {
 class Database;
@@ -19,59 +18,59 @@ class Database;
 
 namespace regista::campaign {
 
-// What came of matches that were played elsewhere.
+// The result of StoredMatches::take(), which copies matches of another file.
 struct Taken {
-  std::uint64_t rows = 0, known = 0;  // taken over; here already, with the same result
-  // Matches that do not fit, and why the first ones don't, a line each: nothing like them was planned, the row is
-  // damaged or holds another match, or the same match had another result.
+  std::uint64_t rows = 0, known = 0;  // rows: copied matches; known: matches that this file had with the same result
+  // The number of refused matches, and one line for each of the first 20. Reasons: this file lacks the fixture; the row
+  // is damaged or holds another match; this file has another result of the same match.
   std::uint64_t refused = 0;
   std::vector<std::string> why;
   friend bool operator==(const Taken&, const Taken&) = default;
 };
 
-// Numbers of fixtures in this file, by those in another.
+// Maps the number of a fixture in another file to the number of the same fixture in this file.
 using FixtureNumbers = std::map<std::int64_t, std::int64_t>;
 
 class StoredMatches {
  public:
-  // Of the tables, as SQL.
+  // SQL that creates the tables.
   static std::string tables();
 
-  // In a database that has these tables and outlives this. All throw SQLite::Exception; what reads also DamagedRow.
+  // `database` must have these tables and outlive this object. Functions throw SQLite::Exception and DamagedRow.
   StoredMatches(SQLite::Database& database, bool written_to);
   ~StoredMatches();
   StoredMatches(const StoredMatches&) = delete;
   StoredMatches& operator=(const StoredMatches&) = delete;
 
-  // The match of a key. `row`: where it is looked for first.
-  std::optional<Decided> find(std::int64_t row, const MatchKey& key, Metrics metrics);
+  // Returns the stored match with this key. find() reads `row` first, where the match usually is.
+  std::optional<MatchResult> find(std::int64_t row, const MatchKey& key, Metrics metrics);
   struct Row {
     MatchKey key;
-    Decided decided;  // with metrics
+    MatchResult decided;  // with all metrics
   };
   std::optional<Row> row(std::int64_t row);
   std::int64_t rows();
-  // The first row from `from` to `to` for which `planned` is false.
+  // Returns the first row from `from` to `to` for which `planned` returns false; nothing if there is no such row.
   std::optional<std::int64_t> first_not_planned(
       std::int64_t from, std::int64_t to, const std::function<bool(std::int64_t row, const MatchKey& key)>& planned);
-  // Paths that the first rows have numbers under, each once, in the order in which they come up.
+  // Returns the paths of all metrics in rows 1 to `rows`, each path once, in the order of first appearance.
   match::MetricPaths metric_paths(std::int64_t rows);
 
-  // Within a transaction. Also refuses a key that there is already, and a row that is taken.
-  void insert(std::int64_t row, const MatchKey& key, const Decided& decided, int attempts);
+  // Adds a match; to be called within a transaction. Throws if the key is already stored, or if the row is taken.
+  void insert(std::int64_t row, const MatchKey& key, const MatchResult& decided, int attempts);
 
-  // Within a transaction: the matches of another file that are not here yet, in their rows. fixtures: the numbers here
-  // of those of the other file; matches of others are refused. What can't be read there is left out, and said.
+  // Copies the matches of `other` that this file lacks into the same rows, within a transaction of the caller. Refuses
+  // matches whose fixture is not in `fixtures`, and rows that cannot be read.
   Taken take(StoredMatches& other, const FixtureNumbers& fixtures);
 
-  // All that cannot be read, by their rows.
+  // Returns the rows of all matches that cannot be read.
   std::vector<std::int64_t> damaged_rows();
-  // Lets go of what was read last.
+  // Releases the current rows of all tables: see RowsInOrder::reset().
   void reset();
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> parts_;
 };
 
 }  // namespace regista::campaign

@@ -1,21 +1,45 @@
 // SPDX-License-Identifier: MIT
-// The numbers of matches in a file of results: their names once for all matches that have the same, the numbers
-// themselves compressed, in the tables metric_names and metrics.
+// The metrics of matches in a file of results. The table metrics holds the numbers of each match, compressed. The table
+// metric_names holds the names of these numbers, once for all matches with the same names.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "match/metric_numbers.hpp"
+#include "mcap/encoding.hpp"
 
 namespace SQLite {
 class Database;
-}
+class Statement;
+}  // namespace SQLite
 
 namespace regista::campaign {
+
+// Reads the rows of a table by their number. If callers read rows in ascending order, one statement steps from row to
+// row, which is much faster than a new query for each row.
+class RowsInOrder {
+ public:
+  // what: columns and table, as in "row, names FROM metrics"; the first column must be the number of the row.
+  // `database` must outlive this object. All functions throw SQLite::Exception.
+  RowsInOrder(SQLite::Database& database, const std::string& what);
+  ~RowsInOrder();
+  RowsInOrder(const RowsInOrder&) = delete;
+  RowsInOrder& operator=(const RowsInOrder&) = delete;
+
+  // Returns the statement at this row, valid until the next call; null if the table has no such row.
+  SQLite::Statement* at(std::int64_t row);
+  // Releases the current row, so that other programs can write to the file.
+  void reset();
+
+ private:
+  std::unique_ptr<SQLite::Statement> statement_;
+  std::optional<std::int64_t> next_;  // the row that the statement reads next
+};
 
 class StoredMetrics {
  public:
@@ -29,41 +53,55 @@ class StoredMetrics {
       checksum INTEGER NOT NULL
     );)";
 
-  // In a database that has these tables and outlives this. All throw SQLite::Exception.
+  // `database` must have these tables and outlive this object. All functions throw SQLite::Exception.
   StoredMetrics(SQLite::Database& database, bool written_to);
   ~StoredMetrics();
   StoredMetrics(const StoredMetrics&) = delete;
   StoredMetrics& operator=(const StoredMetrics&) = delete;
 
-  // None of a match that has none. Throws DamagedRow.
+  // Returns the metrics of the match in this row; empty if the match has no metrics. Throws DamagedRow.
   match::MetricNumbers read(std::int64_t row);
-  // Within a transaction.
+  // Writes the numbers of a match. To be called within a transaction.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
 
-  // The numbers of a row as they stand here, for another file. Valid until the next that is read. Throws DamagedRow
-  // where they are missing or their checksum does not fit.
+  // The numbers of a row as stored, for a copy to another file. `frame` is valid until the next row is read. packed()
+  // throws DamagedRow if the row has no numbers or its checksum does not fit.
   struct Packed {
-    std::int64_t names = 0;  // their number in this file
+    std::int64_t names = 0;  // id of the names of the numbers in the table metric_names of this file
     std::int64_t size = 0;
     std::string_view frame;
   };
   Packed packed(std::int64_t row);
-  // What stands here under the number of the names of a row. Throws DamagedRow.
+  // Returns the names with the id `names` as text. Throws a DamagedRow for `row` if this text is damaged or missing.
   std::string text_of_names(std::int64_t row, std::int64_t names);
-  // Within a transaction: the number of such names in this file, to which they are added. Throws std::invalid_argument
-  // where the text holds none.
+  // Returns the id of a text of names in this file; adds the text if it is new. To be called within a transaction.
+  // Throws std::invalid_argument if the text is no list of names.
   std::int64_t number_of_names(const std::string& text);
-  // Within a transaction. names: their number in this file.
+  // Writes numbers of another file. names: id of their names in this file. To be called within a transaction.
   void write(std::int64_t row, const Packed& numbers, std::int64_t names);
 
-  // Paths that the first rows have numbers under, each once, in the order in which they come up. Throws DamagedRow.
+  // Returns the paths of all metrics in rows 1 to `rows`, each once, in order of first appearance. Throws DamagedRow.
   match::MetricPaths paths(std::int64_t rows);
-  // Lets go of what was read last.
-  void reset();
+  // Releases the current row: see RowsInOrder::reset().
+  void reset() { rows_.reset(); }
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  using Names = std::shared_ptr<const match::MetricNames>;
+  std::optional<Packed> find(std::int64_t row);
+  std::string text(std::int64_t id);
+  const Names& names_under(std::int64_t row, std::int64_t id);
+  std::optional<std::int64_t> id_of_text(const std::string& text);
+  std::int64_t add(const std::string& text);
+  std::int64_t id_of(const Names& names);
+  void put(std::int64_t row, std::int64_t id, std::int64_t size, std::string_view frame);
+
+  SQLite::Database& database_;
+  RowsInOrder rows_;
+  std::unique_ptr<SQLite::Statement> insert_;  // null: the file is only read
+  std::map<std::int64_t, Names> by_id_;
+  mcap::Compressor compressor_;
+  mcap::Decompressor decompressor_;
+  std::string bytes_;  // numbers of the match that was read last, not compressed
 };
 
 }  // namespace regista::campaign

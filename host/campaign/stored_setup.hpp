@@ -1,33 +1,146 @@
 // SPDX-License-Identifier: MIT
-// A match of a study set up as it was: from the files as they are or, where these have changed, from the documents that
-// the study was begun with.
+// Stores the fixtures and the documents of a study in a file of results. Prepares a stored match for a replay: from the
+// present files if the files are unchanged, otherwise from copies of the stored documents.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "campaign/document_copies.hpp"
 #include "campaign/job.hpp"
 #include "campaign/match_setup.hpp"
 #include "plugin/catalogue.hpp"
+#include "process/file_descriptor.hpp"
+
+namespace SQLite {
+class Database;
+}  // namespace SQLite
 
 namespace regista::campaign {
 
+// A file as it was when the study began. With documents, a match can be replayed after its files were edited.
+struct Document {
+  std::string path;                    // absolute
+  std::optional<std::string> content;  // empty for a file that was too large, and for a shared object
+  friend bool operator==(const Document&, const Document&) = default;
+};
+
+class StoredDocuments {
+ public:
+  static constexpr auto tables = R"(
+    CREATE TABLE IF NOT EXISTS documents(
+      path TEXT PRIMARY KEY,
+      size INTEGER,
+      content BLOB,
+      checksum INTEGER NOT NULL
+    ) WITHOUT ROWID;)";
+
+  // `database` must outlive this object. All functions throw SQLite::Exception.
+  explicit StoredDocuments(SQLite::Database& database) : database_(database) {}
+
+  // Replaces all stored documents. A study that was killed before its first match begins again and calls keep() again.
+  // The caller must have begun a transaction.
+  void keep(std::span<const Document> documents);
+  // Returns all documents, sorted by path; empty if an older program made the file. Throws std::invalid_argument if a
+  // document is damaged.
+  std::vector<Document> all();
+
+ private:
+  SQLite::Database& database_;
+};
+
+// A match without its seed. key: see fixture_key(). The seed in `job` has no meaning.
+struct Fixture {
+  std::string key;
+  Job job;
+};
+
+class StoredFixtures {
+ public:
+  static constexpr auto tables = R"(
+    CREATE TABLE fixtures(
+      id INTEGER PRIMARY KEY,
+      key TEXT NOT NULL UNIQUE,
+      job TEXT NOT NULL,
+      checksum INTEGER NOT NULL
+    );)";
+
+  // `database` must have this table and outlive this object. All functions throw SQLite::Exception.
+  explicit StoredFixtures(SQLite::Database& database) : database_(database) {}
+
+  // Adds the fixtures whose keys are new.
+  void add(std::span<const Fixture> fixtures);
+  // Returns for each key the number of its fixture; 0 if the key is not stored. Throws std::invalid_argument if any
+  // stored fixture is damaged, because the matches of a fixture with a damaged key would count as not played.
+  std::vector<std::int64_t> numbers(std::span<const std::string> keys);
+  // Return all fixtures in the order of their numbers: keys() as number and key, all() as key and job. Both functions
+  // throw std::invalid_argument if any fixture is damaged.
+  std::vector<std::pair<std::int64_t, std::string>> keys();
+  std::vector<Fixture> all();
+  // Returns the job of the fixture with this number. Throws a DamagedRow for `row`, the match that needs the job.
+  Job job(std::int64_t number, std::int64_t row);
+
+ private:
+  void check();
+
+  SQLite::Database& database_;
+  bool checked_ = false;
+};
+
+// Reads these files. The result has each file once, sorted by path. Shared objects, files above 16 MiB, and files after
+// the first 64 MiB get no content. The hashes in the inputs of a match still show whether such a file has changed.
+std::vector<Document> documents_in(std::span<const std::filesystem::path> files);
+
+// Returns the job with paths of copies. The copy of the file /a/b is `root`/a/b. An absolute path becomes the path of
+// the copy, if the copy exists. A relative path stays: the caller must read the job in the copy of `given_in`, the
+// folder in which the user gave the path. Folders of plugins are not copied, so their paths become absolute.
+Job in_copies(Job job, const std::filesystem::path& root, const std::filesystem::path& given_in);
+
+// Copies of documents in a temporary folder: the copy of /a/b is root()/a/b. A relative name in a document or a job
+// leads to a copy. An absolute name in a document leads to the original file.
+class DocumentCopies {
+ public:
+  // Writes the copies. A document without content becomes a link to the present file. Throws std::system_error. Throws
+  // std::invalid_argument for paths that this program never stores: a path that is relative or not normal, and a path
+  // below the path of another document.
+  explicit DocumentCopies(std::vector<Document> documents);
+
+  const std::filesystem::path& root() const { return root_.path(); }
+
+  // Returns the copy of the folder `given_in`, an absolute path; creates the copy if it is missing. Relative names that
+  // were given in `given_in` must be read in this copy.
+  std::filesystem::path folder(const std::filesystem::path& given_in) const;
+
+  // Returns in_copies() of the job. The files of this job must be read in folder(given_in).
+  Job job(Job job, const std::filesystem::path& given_in) const;
+
+ private:
+  std::filesystem::path at(const std::filesystem::path& path) const;
+  process::TemporaryFolder root_;
+};
+
 class StoredSetup {
  public:
-  // The files are named as they are seen from the current folder; goes to that of the copies where it takes these, so
-  // that the catalogue's folders must be absolute. documents: asked for only then. Throws what it throws, and as
-  // DocumentCopies does.
+  // Prepares the stored match from its files; relative names start at the current folder. If the files have changed,
+  // the constructor calls `documents`, writes copies of the documents, changes to the copy of the current folder, and
+  // prepares the match there. So the folders of `catalogue` must be absolute. Throws the exceptions of `documents` and
+  // of DocumentCopies.
   StoredSetup(const Job& stored, const plugin::Catalogue& catalogue,
               const std::function<std::vector<Document>()>& documents);
 
-  // Why copies were wanted, in words; empty when the files are what they were.
+  // Returns the changes of the files in words; empty if all files are unchanged, and so no copies were made.
   const std::string& changed() const { return changed_; }
-  // What is not as it was all the same: it cannot be played; else empty.
+  // Returns the differences from the stored match that remain even with copies, in words; mostly empty.
   const std::string& missing() const { return missing_; }
-  // To be played while this lives, and in the folder that this went to.
+  // Returns whether a match can be played. This match may differ from the stored match if missing() is not empty.
+  bool playable() const { return prepared_.plans[0] != nullptr; }
+  // Returns the job to play. During the play, this object must exist, and the current folder must be the folder that
+  // the constructor set.
   const Job& job() const { return job_; }
   MatchSetup take() { return std::move(prepared_); }
 

@@ -1,30 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/worker.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "campaign/worker_process.hpp"
+#include "campaign/fork_server.hpp"
 
 namespace regista::campaign {
+
+process::Setting worker_setting(const WorkerFiles& files, const Limits& limits) {
+  process::Setting out;
+  out.files = {{files.job, STDIN_FILENO},
+               {files.output, STDERR_FILENO},
+               {files.answer, answer_descriptor},
+               {files.note, note_descriptor},
+               {files.trail, trail_descriptor}};
+  out.limits = memory_limits(limits);
+  out.limits.processor_seconds = limits.match_seconds();
+  return out;
+}
+
+std::vector<char*> environment_with(std::initializer_list<const char*> more, Pages pages) {
+  static char large_pages[] = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
+  constexpr std::size_t name = std::string_view("GLIBC_TUNABLES=").size();
+  std::vector<char*> variables;
+  bool tuned = false;  // true: the user has set GLIBC_TUNABLES
+  for (char** each = environ; *each != nullptr; ++each) {
+    variables.push_back(*each);
+    tuned = tuned || std::strncmp(*each, large_pages, name) == 0;
+  }
+  if (!tuned && pages == Pages::large) variables.push_back(large_pages);
+  for (const char* each : more) variables.push_back(const_cast<char*>(each));
+  variables.push_back(nullptr);
+  return variables;
+}
+
 namespace {
 
-// A match is answered in some ten kilobytes; who writes without end is stopped.
+// Limit in bytes. The answer for a match has some ten kilobytes; the rest of a longer answer is not read.
 constexpr std::size_t longest_answer = std::size_t{16} << 20;
 
-process::Child start_program(const WorkerFiles& files, const Limits& limits, bool elsewhere) {
-  // What a match must not depend on is another than in the first play: where its memory is, too.
+process::Child start_program(const WorkerFiles& files, const Limits& limits, bool perturbed) {
+  // A perturbed play has another environment and other memory addresses. A match must not depend on these.
   static const std::string padding = "REGISTA_SECOND_PLAY=" + std::string(4075, 'x');
   const std::vector<char*> variables =
-      elsewhere ? environment_with({padding.c_str()}, Pages::usual) : environment_with({});
+      perturbed ? environment_with({padding.c_str()}, Pages::usual) : environment_with({});
   return process::Child::program(worker_setting(files, limits),
                                  {process::Child::this_program, {"regista", worker_command}, variables});
 }
@@ -39,11 +64,11 @@ Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail
   const WorkerFiles files{answer.write.number, note.descriptor(), output.write.number, trail, given.number};
   if (server != nullptr) child_ = server->start(job, files);
   if (!child_.runs()) {
-    // A server that has died may have begun it.
+    // Empties note and trail, because a fork server that died may have begun the match.
     note_.clear();
     if (trail != -1 && (ftruncate(trail, 0) == -1 || lseek(trail, 0, SEEK_SET) == -1))
       throw std::system_error(errno, std::generic_category(), "cannot begin a match anew");
-    child_ = start_program(files, limits, job.elsewhere);
+    child_ = start_program(files, limits, job.perturbed);
   }
   pipe_ = std::move(answer.read);
   output_pipe_ = std::move(output.read);
@@ -54,15 +79,15 @@ Worker::~Worker() {
 }
 
 void Worker::kill() {
-  // The whole group: a plugin may have started processes of its own. So may minds that are kept apart.
+  // Kills the whole process groups of worker and minds, because plugins may have started processes in these groups.
   child_.kill();
-  if (!apart_) return;  // plugins can write that note; where minds are apart, they have lost sight of it
+  if (!apart_) return;  // otherwise plugins run in the worker and may have overwritten `groups`
   for (const pid_t each : note_->groups) {
     if (each > 1) ::kill(-each, SIGKILL);
   }
 }
 
-// Never waited for: a process that a plugin started may hold a pipe open.
+// Reads only what the pipes contain now, because a process that a plugin started may keep the pipes open.
 void Worker::read() {
   process::read_available(pipe_, [this](std::string_view piece) {
     if (answer_.size() < longest_answer) answer_ += piece;
@@ -84,21 +109,22 @@ bool Worker::advance() {
     kill();
     return false;
   }
-  kill();  // what it has started
-  read();  // what it wrote last
+  kill();  // ends processes that the worker has started
+  read();  // reads the last bytes that the worker wrote
   ended(*end);
   return true;
 }
 
 double Worker::seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
 
-// Who plays with minds that are apart watches them, and knows whose fault it is.
+// Returns the limit of wall time, s. It is longer for a worker with minds in other processes, because this worker
+// watches the minds itself and so knows which team causes a delay.
 double Worker::match_wall_seconds() const {
   return apart_ ? 2.0 * limits_.match_wall_seconds + limits_.wall_seconds : limits_.match_wall_seconds;
 }
 
 void Worker::watch_call() {
-  if (!apart_) {  // which notes no calls of its own
+  if (!apart_) {  // a worker with minds in other processes notes no calls
     const plugin::CallNote call = note_->call;
     const process::Exceeded exceeded = watch_.look(call, call.inside == 1, child_.process());
     if (exceeded == process::Exceeded::processor_time) killed_for_ = End::How::processor_time;
@@ -115,7 +141,7 @@ void Worker::ended(const process::ProcessEnd& end) {
   end_.outside = note.outside;
   end_.output = output_.text();
   const bool complete = answer_.ends_with('\n') && answer_.size() < longest_answer;
-  // What stands before the mark is not the worker's: a plugin wrote to a descriptor that it took for its own.
+  // A plugin may have written text before the mark, because it used a wrong descriptor.
   if (const std::size_t mark = answer_.rfind(answer_mark); mark != std::string::npos) {
     answer_.erase(0, mark + answer_mark.size());
   }

@@ -1,63 +1,127 @@
 // SPDX-License-Identifier: MIT
-// One match in a process of its own, with limits, a pipe for its answer and a shared note of whose call is under way:
-// this program started once more, or a copy of one that has read the teams already (fork_server.hpp). Isolation from
-// accidents, not from malice: a plugin can do whatever its user can.
+// A worker: a process that plays one match, with limits, a pipe for the answer, and a note in shared memory of the
+// current call of a plugin. The process is a newly started program, or a copy of a process that has read the teams
+// (fork_server.hpp). A worker protects from accidents, not from malice: a plugin has all rights of the user.
 #pragma once
 
+#include <sys/types.h>
+
+#include <array>
 #include <chrono>
+#include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
-#include "campaign/fork_server.hpp"
 #include "campaign/job.hpp"
-#include "campaign/limits.hpp"
-#include "campaign/worker_note.hpp"
+#include "match/side.hpp"
+#include "plugin/call_inputs.hpp"
+#include "plugin/fatal_signal.hpp"
 #include "process/child.hpp"
-#include "process/descriptor.hpp"
-#include "process/kept_output.hpp"
+#include "process/file_descriptor.hpp"
 #include "process/watch.hpp"
 
 namespace regista::campaign {
 
-// How a worker ended.
+// The first try of a confined mind to reach outside of its process, and the call of a plugin in which this happened.
+struct OutsideNote {
+  std::array<char, 48> what{};  // "open a file for writing"; empty: no mind has tried
+  plugin::CallNote call;
+  std::int32_t unconfined = 0;  // 1: this system does not confine processes
+};
+
+// The note of a worker in memory that it shares with its coordinator, who can read the note after the worker's death.
+struct WorkerNote {
+  plugin::CallNote call;
+  plugin::FatalNote fatal;
+  OutsideNote outside;
+  std::array<pid_t, 2 * match::largest_team> groups{};  // process groups of minds with own processes; 0: unused
+
+  // Returns a copy in which every text ends with a zero, even if a plugin has overwritten the note.
+  WorkerNote sound() const {
+    WorkerNote out = *this;
+    out.call.plugin.back() = out.call.call.back() = '\0';
+    out.outside.what.back() = out.outside.call.plugin.back() = out.outside.call.call.back() = '\0';
+    out.fatal.thread.back() = out.fatal.object.back() = '\0';
+    return out;
+  }
+};
+
+using SharedNote = process::SharedMemory<WorkerNote>;
+
+// --- Names and numbers that coordinator and worker share
+
+// File descriptors of a worker.
+inline constexpr int answer_descriptor = 3, note_descriptor = 4, trail_descriptor = 5;
+
+// The mark before the answer. The coordinator ignores bytes before the mark, which a plugin wrote by accident.
+inline constexpr std::string_view answer_mark = "\nregista-answer:";
+
+// The hidden command that a worker runs. The worker reads a Job from standard input and writes an Answer to
+// answer_descriptor.
+inline constexpr const char* worker_command = "play-one";
+
+// The files for a worker, as descriptors of the process that starts the worker; -1: no file. job: for standard input.
+struct WorkerFiles {
+  int answer = -1, note = -1, output = -1, trail = -1, job = -1;
+};
+process::Setting worker_setting(const WorkerFiles& files, const Limits& limits);
+
+// The limits of stack and address space for a process that opens plugins.
+inline process::Limits memory_limits(const Limits& limits) { return {.memory = limits.memory, .small_stack = true}; }
+
+// Returns the environment for programs that play matches: the environment of this process and the variables `more`
+// ("NAME=VALUE"), with a null at the end. With Pages::large, the C library also asks the system for large pages: with
+// usual pages, page faults in some megabytes of new memory took a fifth of a game's processor time
+// (benchmarks/campaign/fork_server.py).
+enum class Pages { large, usual };
+std::vector<char*> environment_with(std::initializer_list<const char*> more, Pages pages = Pages::large);
+
+// --- For the coordinator
+
+// The end of a worker.
 struct End {
   enum class How {
-    answered,            // `text` is its answer
-    died,                // by itself: a signal, exit() in the middle, an answer cut off
-    processor_time,      // a call used up its limit
-    wall_time,           // a call did not return
-    match_time,          // the match used up its processor time, though no call did
-    match_wall_time,     // the match did not end in time
-    stopped,             // somebody stopped the process, which would wait for ever
-    killed_from_outside  // by a signal that people and systems send: SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGQUIT
+    answered,            // the worker has sent its complete answer, which is in `text`
+    died,                // the worker crashed, or ended before its answer was complete
+    processor_time,      // killed, because a call of a plugin exceeded its limit of processor time
+    wall_time,           // killed, because a call of a plugin exceeded its limit of wall time
+    match_time,          // the whole match exceeded its limit of processor time, but no single call did
+    match_wall_time,     // killed, because the whole match exceeded its limit of wall time
+    stopped,             // killed, because a signal had stopped the process (SIGSTOP), which would not continue
+    killed_from_outside  // killed by SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGQUIT, which people and systems send
   };
   How how = How::died;
-  std::string text;       // the answer, or in words how it ended: "Segmentation fault, in crashes.so"
-  std::string output;     // what was written to standard error, cut in the middle
-  plugin::CallNote note;  // the last one; its plugin is empty when no plugin was called
-  OutsideNote outside;    // what a confined mind tried to do
+  std::string text;       // the answer; otherwise the reason of the end: "Segmentation fault, in crashes.so"
+  std::string output;     // the worker's output on standard error; a long output lacks its middle
+  plugin::CallNote note;  // the last call of a plugin; its plugin id is empty if no plugin was called
+  OutsideNote outside;    // the first try of a confined mind to reach outside of its process
   double seconds = 0.0;   // s of wall time
 };
 
-// A running worker. Never blocks.
+class ForkServer;
+
+// A running worker. Its functions never block.
 class Worker {
  public:
-  // `note` is cleared and outlives the worker. trail: a descriptor that the worker writes answers of plugins to, or
-  // -1. server: who may start it more cheaply; null: nobody. Throws std::system_error when the process cannot be
-  // started.
+  // Starts a worker. `note` is cleared and must outlive the worker. trail: descriptor of the file for the trail; -1: no
+  // trail. server: a fork server, which starts the worker faster; null: no server. Throws std::system_error if the
+  // process cannot be started.
   Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1, ForkServer* server = nullptr);
-  // Kills it if it still runs.
+  // Kills the worker if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  // Becomes readable when there is something to do; -1 once the worker has closed it.
+  // The pipe for the answer, which is readable when advance() has something to do; -1 after the worker closed the pipe.
   int descriptor() const { return pipe_.number; }
-  pid_t process() const { return child_.process(); }             // -1 when it has ended
-  int output_descriptor() const { return output_pipe_.number; }  // likewise
+  pid_t process() const { return child_.process(); }             // -1 after the worker has ended
+  int output_descriptor() const { return output_pipe_.number; }  // the pipe for standard error; -1: closed
 
-  // Reads what there is; true when the worker has ended. To be called when the descriptor is readable and every now
-  // and then.
+  // Reads both pipes and checks the limits. Returns true when the worker has ended. To be called when a descriptor is
+  // readable, and also at regular times.
   bool advance();
 
   // Precondition: advance() has returned true.

@@ -2,11 +2,19 @@
 #include "check/file_checks.hpp"
 
 #include <dlfcn.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <gelf.h>
+#include <libelf.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -16,7 +24,8 @@
 
 #include <regista/abi.h>
 
-#include "plugin/floating_point_state.hpp"
+#include "plugin/elf_file.hpp"
+#include "plugin/process_state.hpp"
 #include "texts/message.hpp"
 
 namespace regista::check {
@@ -24,78 +33,140 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Calls that no sound plugin needs: chance comes from reset() and time from the frame, and the process is the host's.
-struct Suspect {
-  std::string_view name, why;
-  std::string_view shown = name;  // to people
+#if defined(__x86_64__)
+constexpr int own_machine = EM_X86_64;
+constexpr auto own_machine_name = "x86-64";
+#elif defined(__aarch64__)
+constexpr int own_machine = EM_AARCH64;
+constexpr auto own_machine_name = "AArch64";
+#else
+#error "name this machine"
+#endif
+
+const char* machine_name(int machine) {
+  switch (machine) {
+    case EM_386:
+      return "32-bit x86";
+    case EM_X86_64:
+      return "x86-64";
+    case EM_ARM:
+      return "32-bit ARM";
+    case EM_AARCH64:
+      return "AArch64";
+    case EM_RISCV:
+      return "RISC-V";
+    default:
+      return "another machine";
+  }
+}
+
+void read_dynamic(const plugin::DynamicPart& part, ObjectFile& out) {
+  for (const plugin::DynamicPart::Symbol& symbol : part.symbols()) {
+    if (symbol.name.empty() || GELF_ST_BIND(symbol.entry.st_info) == STB_LOCAL) continue;
+    if (symbol.entry.st_shndx == SHN_UNDEF) {
+      out.imports.push_back(symbol.name);
+    } else if (symbol.entry.st_shndx != SHN_ABS) {  // version names are absolute symbols, and are left out
+      out.exports.push_back(symbol.name);
+    }
+  }
+  std::ranges::sort(out.exports);
+  std::ranges::sort(out.imports);
+  out.needs = part.texts(DT_NEEDED);
+  for (const std::int64_t tag : {DT_RPATH, DT_RUNPATH}) {
+    for (const std::string& each : part.texts(tag)) out.search_paths.push_back(each);
+  }
+  out.text_relocations = part.value(DT_TEXTREL).has_value() || (part.value(DT_FLAGS).value_or(0) & DF_TEXTREL) != 0;
+}
+
+// Returns the size in bytes that a file must have to contain all parts that its headers name.
+std::uint64_t bytes_spoken_of(Elf* elf) {
+  std::uint64_t out = 0;
+  const auto reach = [&out](std::uint64_t offset, std::uint64_t length) {
+    const std::uint64_t most = ~std::uint64_t{0};
+    out = std::max(out, length > most - offset ? most : offset + length);
+  };
+  GElf_Ehdr header;
+  if (gelf_getehdr(elf, &header) == nullptr) return 0;
+  reach(header.e_shoff, std::uint64_t{header.e_shnum} * header.e_shentsize);
+  reach(header.e_phoff, std::uint64_t{header.e_phnum} * header.e_phentsize);
+  GElf_Phdr segment;
+  for (int i = 0; i < header.e_phnum && gelf_getphdr(elf, i, &segment) != nullptr; ++i) {
+    reach(segment.p_offset, segment.p_filesz);
+  }
+  for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf, section)) != nullptr;) {
+    GElf_Shdr part;
+    if (gelf_getshdr(section, &part) != nullptr && part.sh_type != SHT_NOBITS) reach(part.sh_offset, part.sh_size);
+  }
+  return out;
+}
+
+// Describes what is wrong with the header; empty if the file is a shared object of this machine.
+std::string wrong_with_header(Elf* elf) {
+  GElf_Ehdr header;
+  if (elf_kind(elf) != ELF_K_ELF || gelf_getehdr(elf, &header) == nullptr) return "is not a shared object";
+  if (header.e_machine != own_machine) {
+    return fmt::format("is built for {}; this machine is {}", machine_name(header.e_machine), own_machine_name);
+  }
+  if (header.e_type == ET_REL) return "is an object file that has not been linked (build it with -shared)";
+  if (header.e_type != ET_DYN) return "is not a shared object";
+  return {};
+}
+
+// Calls that no sound plugin needs, and the reasons. A plugin gets seeds from reset() and the time from the frame. The
+// process belongs to the host.
+struct Suspects {
+  std::string_view why;
+  std::array<std::string_view, 12> names;
 };
 constexpr std::array suspects{
-    Suspect{"rand", "chance comes from the seed of reset()"},
-    Suspect{"srand", "chance comes from the seed of reset()"},
-    Suspect{"random", "chance comes from the seed of reset()"},
-    Suspect{"srandom", "chance comes from the seed of reset()"},
-    Suspect{"drand48", "chance comes from the seed of reset()"},
-    Suspect{"getrandom", "chance comes from the seed of reset()"},
-    Suspect{"getentropy", "chance comes from the seed of reset()"},
-    Suspect{"arc4random", "chance comes from the seed of reset()"},
-    Suspect{"_ZNSt13random_device9_M_getvalEv", "chance comes from the seed of reset()", "std::random_device"},
-    Suspect{"time", "time comes from the frame"},
-    Suspect{"clock", "time comes from the frame"},
-    Suspect{"gettimeofday", "time comes from the frame"},
-    Suspect{"clock_gettime", "time comes from the frame"},
-    Suspect{"_ZNSt6chrono3_V212system_clock3nowEv", "time comes from the frame", "std::chrono::system_clock"},
-    Suspect{"_ZNSt6chrono3_V212steady_clock3nowEv", "time comes from the frame", "std::chrono::steady_clock"},
-    Suspect{"nanosleep", "a call must not wait"},
-    Suspect{"sleep", "a call must not wait"},
-    Suspect{"usleep", "a call must not wait"},
-    Suspect{"fork", "the process is the host's"},
-    Suspect{"vfork", "the process is the host's"},
-    Suspect{"system", "the process is the host's"},
-    Suspect{"popen", "the process is the host's"},
-    Suspect{"execve", "the process is the host's"},
-    Suspect{"execl", "the process is the host's"},
-    Suspect{"execlp", "the process is the host's"},
-    Suspect{"execv", "the process is the host's"},
-    Suspect{"execvp", "the process is the host's"},
-    Suspect{"kill", "the process is the host's"},
-    Suspect{"raise", "the process is the host's"},
-    Suspect{"setsid", "the process is the host's"},
-    Suspect{"setrlimit", "the limits of the process are the host's"},
-    Suspect{"getpid", "it differs from run to run"},
-    Suspect{"pause", "a call must not wait"},
-    Suspect{"sigprocmask", "handlers of signals are the host's"},
-    Suspect{"pthread_sigmask", "handlers of signals are the host's"},
-    Suspect{"feenableexcept", "how numbers are rounded is the host's"},
-    Suspect{"exit", "the process is the host's"},
-    Suspect{"_exit", "the process is the host's"},
-    Suspect{"pthread_create", "plugins start no threads"},
-    Suspect{"_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE",
-            "plugins start no threads", "std::thread"},
-    Suspect{"signal", "handlers of signals are the host's"},
-    Suspect{"sigaction", "handlers of signals are the host's"},
-    Suspect{"setitimer", "timers are the host's"},
-    Suspect{"alarm", "timers are the host's"},
-    Suspect{"timer_create", "timers are the host's"},
-    Suspect{"setlocale", "the locale is the host's"},
-    Suspect{"chdir", "the working folder is the host's"},
-    Suspect{"fesetround", "how numbers are rounded is the host's"},
-    Suspect{"fesetenv", "how numbers are rounded is the host's"},
-    Suspect{"socket", "a plugin talks to its teammates through its mailbox alone"},
-    Suspect{"connect", "a plugin talks to its teammates through its mailbox alone"},
+    Suspects{"chance comes from the seed of reset()",
+             {"rand", "srand", "random", "srandom", "drand48", "getrandom", "getentropy", "arc4random",
+              "_ZNSt13random_device9_M_getvalEv"}},
+    Suspects{"time comes from the frame",
+             {"time", "clock", "gettimeofday", "clock_gettime", "_ZNSt6chrono3_V212system_clock3nowEv",
+              "_ZNSt6chrono3_V212steady_clock3nowEv"}},
+    Suspects{"a call must not wait", {"nanosleep", "sleep", "usleep"}},
+    Suspects{"the process is the host's",
+             {"fork", "vfork", "system", "popen", "execve", "execl", "execlp", "execv", "execvp", "kill", "raise",
+              "setsid"}},
+    Suspects{"the limits of the process are the host's", {"setrlimit"}},
+    Suspects{"it differs from run to run", {"getpid"}},
+    Suspects{"a call must not wait", {"pause"}},
+    Suspects{"handlers of signals are the host's", {"sigprocmask", "pthread_sigmask"}},
+    Suspects{"how numbers are rounded is the host's", {"feenableexcept"}},
+    Suspects{"the process is the host's", {"exit", "_exit"}},
+    Suspects{
+        "plugins start no threads",
+        {"pthread_create", "_ZNSt6thread15_M_start_threadESt10unique_ptrINS_6_StateESt14default_deleteIS1_EEPFvvE"}},
+    Suspects{"handlers of signals are the host's", {"signal", "sigaction"}},
+    Suspects{"timers are the host's", {"setitimer", "alarm", "timer_create"}},
+    Suspects{"the locale is the host's", {"setlocale"}},
+    Suspects{"the working folder is the host's", {"chdir"}},
+    Suspects{"how numbers are rounded is the host's", {"fesetround", "fesetenv"}},
+    Suspects{"a plugin talks to its teammates through its mailbox alone", {"socket", "connect"}},
 };
 
-// Libraries of the system, of the compilers and their sanitizers, and those that shipped plugins need as well (the
-// exact arithmetic of CGAL). Without the number of their version.
+// Returns the C++ class of a function of the C++ library; returns other names unchanged.
+std::string_view shown(std::string_view name) {
+  for (const std::string_view each :
+       {"std::random_device", "std::chrono::system_clock", "std::chrono::steady_clock", "std::thread"}) {
+    if (name.starts_with("_Z") && name.find(each.substr(each.rfind(':') + 1)) != std::string_view::npos) return each;
+  }
+  return name;
+}
+
+// Libraries of the system, compilers and sanitizers, and libraries that shipped plugins need (for CGAL's exact
+// arithmetic). Names are without the version.
 constexpr std::array<std::string_view, 15> everywhere{"libc",     "libm",    "libstdc++", "libgcc_s",  "libpthread",
                                                       "libdl",    "librt",   "libc++",    "libc++abi", "libasan",
                                                       "libubsan", "libtsan", "liblsan",   "libgmp",    "libmpfr"};
 
 bool is_everywhere(std::string_view library) {
-  if (library.starts_with("ld-linux")) return true;  // the loader has the machine in its name
+  if (library.starts_with("ld-linux")) return true;  // the loader is named after the machine
   return std::ranges::find(everywhere, library.substr(0, library.find(".so"))) != everywhere.end();
 }
 
-// The first of these folders that has the library. Of two that are written so, ':' stands between.
+// Returns the first search folder that has the library. A search path may name several folders, separated by ':'.
 std::optional<std::string> folder_of(const std::string& library, const std::vector<std::string>& search_paths,
                                      const fs::path& file) {
   for (const std::string& path : search_paths) {
@@ -116,11 +187,36 @@ using Entry = decltype(&regista_plugin_entry);
 Entry entry_of(const fs::path& file) {
   const auto arithmetic = plugin::FloatingPointState::now();
   void* const handle = ::dlopen(fs::absolute(file).c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
-  arithmetic.restore();  // as the host does; it is told by the check `open`
+  arithmetic.restore();  // undoes a change of the arithmetic; the check `open` reports the change
   return handle == nullptr ? nullptr : reinterpret_cast<Entry>(::dlsym(handle, REGISTA_ENTRY_NAME));
 }
 
 }  // namespace
+
+ObjectFile read_object(const std::filesystem::path& path) {
+  ObjectFile out;
+  const plugin::OpenFile file(path);
+  if (file.number() < 0) {
+    out.wrong = fmt::format("cannot be read: {}", std::generic_category().message(errno));
+    return out;
+  }
+  struct stat about {};
+  if (::fstat(file.number(), &about) != 0 || !S_ISREG(about.st_mode)) {
+    out.wrong = S_ISDIR(about.st_mode) ? "is a folder, not a shared object" : "is not a regular file";
+    return out;
+  }
+  elf_version(EV_CURRENT);
+  const plugin::ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  out.wrong = elf == nullptr ? "is not a shared object" : wrong_with_header(elf.get());
+  if (!out.wrong.empty()) return out;
+  const auto bytes = static_cast<std::uint64_t>(about.st_size);
+  if (const std::uint64_t spoken_of = bytes_spoken_of(elf.get()); spoken_of > bytes) {
+    out.wrong = fmt::format("is cut off: its header speaks of {} bytes, it has {}", spoken_of, bytes);
+    return out;
+  }
+  read_dynamic(plugin::DynamicPart(elf.get()), out);
+  return out;
+}
 
 Outcome exports_of(const ObjectFile& object) {
   std::vector<std::string> others = object.exports;
@@ -130,7 +226,7 @@ Outcome exports_of(const ObjectFile& object) {
   if (others.empty()) return {};
   const std::size_t shown = std::min<std::size_t>(others.size(), 5);
   std::string line =
-      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", texts::counted(others.size(), "symbol", "symbols"),
+      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", texts::plural(others.size(), "symbol", "symbols"),
                   fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
   if (shown < others.size()) line += ", ...";
   return {Status::fail,
@@ -162,10 +258,12 @@ Outcome needs_of(const ObjectFile& object, const fs::path& file) {
 
 Outcome imports_of(const ObjectFile& object) {
   Outcome out;
-  for (const Suspect& each : suspects) {
-    if (!std::ranges::binary_search(object.imports, each.name)) continue;
-    out.status = Status::warn;
-    out.lines.push_back(fmt::format("calls {}: {}", each.shown, each.why));
+  for (const Suspects& each : suspects) {
+    for (const std::string_view name : each.names) {
+      if (!std::ranges::binary_search(object.imports, name)) continue;
+      out.status = Status::warn;
+      out.lines.push_back(fmt::format("calls {}: {}", shown(name), each.why));
+    }
   }
   return out;
 }

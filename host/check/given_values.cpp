@@ -13,9 +13,9 @@
 
 #include <regista/abi.h>
 
-#include "config/bad_input.hpp"
-#include "config/file.hpp"
-#include "plugin/descriptor.hpp"
+#include "config/errors.hpp"
+#include "config/overlay.hpp"
+#include "plugin/description.hpp"
 #include "texts/message.hpp"
 
 namespace regista::check {
@@ -66,7 +66,7 @@ std::variant<double, std::string> value_of(const regista_parameter& declared, co
 
 }  // namespace
 
-GivenValues::GivenValues(const GivenTexts& texts, const plugin::Surveyed& surveyed,
+GivenValues::GivenValues(const GivenTexts& texts, const plugin::ScannedFile& surveyed,
                          const std::vector<std::string>& plugins) {
   for (const auto& plugin : surveyed.plugins) {
     const std::string id = plugin->declared().id;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values that a user gives for the parameters of a plugin that is checked: "--set NAME=VALUE".
+// Values that a user gives to parameters of the checked plugin: "--set NAME=VALUE".
 #pragma once
 
 #include <map>
@@ -10,30 +10,31 @@
 
 #include <regista/testkit/loaded.hpp>
 
-#include "plugin/survey.hpp"
+#include "plugin/shared_object.hpp"
 
 namespace regista::check {
 
 using GivenTexts = std::vector<std::pair<std::string, std::string>>;
 
-// By plugin. Of a file the value is its content, and the text names its path.
+// The given values of parameters, by plugin. For a parameter that names a file, the text is a path and the value the
+// content of the file.
 class GivenValues {
  public:
   GivenValues() = default;
-  // For the plugins with these ids; none named: for all. Throws config::BadInput for a value that a parameter cannot
-  // have. A name that none of them has gives no value.
-  GivenValues(const GivenTexts& texts, const plugin::Surveyed& surveyed, const std::vector<std::string>& plugins);
+  // Reads the values for the plugins with these ids; no ids: for all plugins. Throws config::BadInput for a value that
+  // a parameter cannot have. Ignores a name that no plugin declares.
+  GivenValues(const GivenTexts& texts, const plugin::ScannedFile& surveyed, const std::vector<std::string>& plugins);
 
-  // Names of the parameters that these plugins have, each once.
+  // Returns the names of all parameters that these plugins declare, each name once.
   const std::vector<std::string>& known() const { return known_; }
 
-  // Over what is there. `id`: whose values these are.
+  // Writes the given values for the plugin `id` into `values`; they replace earlier values of the same parameters.
   void give(const std::string& id, testkit::Values& values) const;
 
  private:
   using Value = std::variant<double, std::string>;
   std::vector<std::string> known_;
-  std::map<std::string, std::vector<std::pair<std::string, Value>>> of_;  // name and value, by plugin
+  std::map<std::string, std::vector<std::pair<std::string, Value>>> of_;  // names and values, by plugin
 };
 
 }  // namespace regista::check

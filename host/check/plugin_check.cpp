@@ -14,23 +14,19 @@
 #include <string_view>
 #include <system_error>
 
-#include <regista/testkit/check_life.hpp>
 #include <regista/testkit/checks.hpp>
 #include <regista/testkit/cost.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
-#include "check/allocations.hpp"
-#include "check/elsewhere.hpp"
 #include "check/file_checks.hpp"
 #include "check/given_values.hpp"
-#include "check/kinds_checked.hpp"
-#include "check/object_file.hpp"
-#include "check/process_watch.hpp"
-#include "config/bad_input.hpp"
-#include "plugin/descriptor.hpp"
-#include "plugin/own_memory.hpp"
-#include "plugin/survey.hpp"
+#include "check/isolation.hpp"
+#include "check/perturbed_rerun.hpp"
+#include "config/errors.hpp"
+#include "plugin/description.hpp"
+#include "plugin/elf_file.hpp"
+#include "plugin/shared_object.hpp"
 #include "texts/message.hpp"
-#include "texts/visible.hpp"
 
 namespace regista::check {
 namespace {
@@ -44,7 +40,7 @@ std::string kind_and(std::int32_t kind, std::string_view check) {
   return fmt::format("{}.{}", plugin::kind_name(kind), check);
 }
 
-// "assigner" and "promises" name all checks of which they are a part.
+// Returns whether `only` names this check. A part, such as "assigner" or "promises", names all checks that have it.
 bool is_wanted(const std::vector<std::string>& only, std::string_view check) {
   if (only.empty()) return true;
   const std::size_t point = check.find('.');
@@ -74,7 +70,6 @@ bool is_named(const std::vector<std::string>& names, std::string_view id) {
   return names.empty() || std::ranges::find(names, id) != names.end();
 }
 
-// The checks of a kind, by their whole names.
 std::vector<std::string> checks_of(std::int32_t kind) {
   std::vector<std::string> out;
   for (const testkit::Check& check : testkit::contract(kind)) {
@@ -86,10 +81,10 @@ std::vector<std::string> checks_of(std::int32_t kind) {
   return out;
 }
 
-// One file: looked at when it is constructed, checked by run().
+// The checks of one file. The constructor inspects the file, and run() checks it.
 class FileCheck {
  public:
-  // note: of whatever is checked.
+  // note: receives a text about the present check.
   FileCheck(const fs::path& file, const Options& options, const Listener& listener, Underway& note)
       : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
     report_.file = texts::visible(file.string());
@@ -101,13 +96,13 @@ class FileCheck {
       note_.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
     };
     if (!object_.wrong.empty() || !is_plugin()) return;
-    surveyed_ = std::move(plugin::survey(std::array{file_}).front());
+    surveyed_ = std::move(plugin::scan_files(std::array{file_}).front());
     if (is_open()) given_ = GivenValues(options_.parameters, surveyed_, options_.plugins);
   }
   FileCheck(const FileCheck&) = delete;
   FileCheck& operator=(const FileCheck&) = delete;
 
-  // --- What it has to be asked for. One that cannot be opened has told nothing.
+  // --- Names that a user can request. A file that cannot be opened has no such names.
 
   const std::string& name() const { return report_.file; }
   bool is_open() const { return object_.wrong.empty() && is_plugin() && surveyed_.refusal.empty(); }
@@ -158,7 +153,7 @@ class FileCheck {
     return {};
   }
 
-  // A process of its own has to end, also for a debugger.
+  // Runs in a child even for a debugger, because it checks the end of a process.
   void check_ending() {
     if (!is_wanted(options_.only, "ending")) return;
     judge("ending", "lets a process end that has opened it", [&]() -> Outcome {
@@ -185,11 +180,11 @@ class FileCheck {
       if (!plugin.implements(kind)) continue;
       bool determined = true;
       for (const testkit::Check& check : testkit::contract(kind)) {
-        if (check.name == "descriptor") continue;  // it is that of all its kinds
+        if (check.name == "descriptor") continue;  // one check of the descriptor serves all kinds
         apart(kind_and(kind, check.name), check.promise, [&]() -> Outcome {
           const testkit::Loaded own = loaded();
           if (!check.applies(own, testkit_options_)) return {Status::skip, {}};
-          // They compare two instances, too.
+          // "growth" and "reads" compare two instances, so these checks need a passed "determinism".
           if (!determined && (check.name == "growth" || check.name == "reads")) {
             return {Status::skip, {"the same calls do not give the same bytes: mend that first"}};
           }
@@ -209,7 +204,7 @@ class FileCheck {
            report_.verdicts.back().status == Status::fail;
   }
 
-  // An assigner that leaves a robot idle may mean it.
+  // Adds a hint to a warning: an assigner may leave a robot idle on purpose.
   Outcome judged(const testkit::Check& check, const testkit::Loaded& own) const {
     const testkit::Findings findings = check.run(own, testkit_options_);
     Outcome out = outcome_of(findings);
@@ -220,7 +215,7 @@ class FileCheck {
     return out;
   }
 
-  // A plugin that needs a file cannot be created without one.
+  // Tries to create the plugin. The outcome says why this failed, for example without a file that a parameter needs.
   Outcome why_not_created() const {
     const testkit::Loaded own = loaded();
     std::string files;
@@ -242,16 +237,16 @@ class FileCheck {
 
   testkit::Loaded loaded() const { return {file_.string(), plugin_}; }
 
-  // What a whole course came to, as a line.
+  // Returns an outcome whose only line is the hash of a whole scenario.
   Outcome digest(std::int32_t kind) const {
-    return {Status::pass, {fmt::format("{:016x}", testkit::course_digest(kind, loaded(), testkit_options_))}};
+    return {Status::pass, {fmt::format("{:016x}", testkit::scenario_digest(kind, loaded(), testkit_options_))}};
   }
 
   void check_elsewhere(std::int32_t kind) {
     const std::string name = kind_and(kind, "elsewhere");
     if (!is_wanted(options_.only, name)) return;
     judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
-      if (options_.in_process || hung_ || options_.elsewhere.empty()) return {Status::skip, {}};
+      if (options_.in_process || hung_ || options_.perturbed.empty()) return {Status::skip, {}};
       const auto without_digest = [](Outcome outcome) {
         if (outcome.lines.size() > 1 && outcome.status != Status::crash) outcome.lines.erase(outcome.lines.begin());
         return outcome;
@@ -259,7 +254,7 @@ class FileCheck {
       const Outcome first = in_a_child([&] { return digest(kind); }, options_.deadline, note_);
       if (first.status != Status::pass) return without_digest(first);
       const Elsewhere same{file_, plugin_, kind, options_.seed, options_.visitors, options_.parameters};
-      std::vector<std::string> words = options_.elsewhere;
+      std::vector<std::string> words = options_.perturbed;
       std::ranges::copy(same.words(), std::back_inserter(words));
       const Outcome second = in_another_program(std::move(words), environment_elsewhere(), options_.deadline, note_);
       if (second.status != Status::pass) return without_digest(second);
@@ -294,7 +289,7 @@ class FileCheck {
     });
   }
 
-  // Lines: what a team's robots were answered, or the only one of them.
+  // Returns one line for each robot with the hash of its answers. With `only`, returns the line of this robot alone.
   Outcome digests(std::int32_t kind, std::optional<std::size_t> only) const {
     Outcome out;
     const std::vector<std::uint64_t> all = testkit::team_digests(kind, loaded(), testkit_options_, only);
@@ -304,16 +299,16 @@ class FileCheck {
     return out;
   }
 
-  // What is made once, at the first use, is no news.
+  // Fails if a scenario changes variables of the plugin's file. A first play does not count: it may set variables.
   Outcome changes_own_memory(std::int32_t kind) const {
     const auto counts_its_lines = [](const std::string& name) { return name.starts_with("__gcov"); };
     if (std::ranges::any_of(object_.imports, counts_its_lines)) return {};
     const testkit::Loaded own = loaded();
-    testkit::play_course(kind, own, testkit_options_, [](const std::string&) {});
+    testkit::play_scenario(kind, own, testkit_options_, [](const std::string&) {});
     plugin::OwnMemory memory(reinterpret_cast<const void*>(own.descriptor().create));
     Outcome out;
     memory.remember();
-    testkit::play_course(kind, own, testkit_options_, [&](const std::string& step) {
+    testkit::play_scenario(kind, own, testkit_options_, [&](const std::string& step) {
       const auto change = memory.change();
       if (!change || out.status != Status::pass) return;
       const std::string variable = plugin::variable_at(file_, *change);
@@ -345,7 +340,7 @@ class FileCheck {
     return out;
   }
 
-  // bars: it stands in the way of all others, so it is told whichever were asked for.
+  // Adds the verdict of a check without a child. bars: true always adds the verdict, also if unwanted.
   void here(const std::string& name, const std::string& promise, const Outcome& outcome, bool bars = false) {
     if (bars || is_wanted(options_.only, name)) judge(name, promise, [&] { return outcome; });
   }
@@ -359,13 +354,13 @@ class FileCheck {
       });
     };
     judge(name, promise, [&]() -> Outcome {
-      if (hung_) return {Status::skip, {"an earlier check had to be ended"}};  // nobody waits twice
+      if (hung_) return {Status::skip, {"an earlier check had to be ended"}};  // a second check would hang, too
       Outcome out = options_.in_process ? here_and_now(alone) : in_a_child(alone, options_.deadline, note_);
       hung_ = out.hung;
       return out;
     });
   }
-  // What a child would end with is an outcome here, too.
+  // Runs a check in this process. An exception that would end a child becomes an outcome.
   static Outcome here_and_now(const std::function<Outcome()>& check) {
     try {
       return check();
@@ -377,7 +372,7 @@ class FileCheck {
     const auto began = Clock::now();
     Outcome outcome = check();
     const std::chrono::duration<double> seconds = Clock::now() - began;
-    // A name of a file or what the loader says of it may be no text at all.
+    // Names of files and messages of the loader may contain bytes that are no text.
     for (std::string& line : outcome.lines) line = texts::visible(line);
     report_.verdicts.push_back({plugin_, name, promise, outcome.status, std::move(outcome.lines), seconds.count()});
     if (listener_.verdict) listener_.verdict(report_.file, report_.verdicts.back());
@@ -387,63 +382,54 @@ class FileCheck {
   Options options_;
   const Listener& listener_;
   ObjectFile object_;
-  plugin::Surveyed surveyed_;
+  plugin::ScannedFile surveyed_;
   GivenValues given_;
   testkit::Options testkit_options_;
   std::string plugin_;
   Underway& note_;
-  bool hung_ = false;  // a check of this plugin
+  bool hung_ = false;  // true: a check of this plugin hung
   Report report_;
 };
 
-// Refuses what was asked of files that can be opened, and that none of them has.
-class Asked {
- public:
-  Asked(const std::deque<FileCheck>& files, const Options& options) : files_(files), options_(options) {}
-
-  void refuse_what_nobody_has() const {
-    // Whatever is asked may be meant for a file that has told nothing of itself; that one fails.
-    if (!std::ranges::all_of(files_, &FileCheck::is_open)) return;
-    const std::string where = files_.size() == 1 ? files_.front().name() : "these files";
-    refuse("plugin", where, options_.plugins, of_all(&FileCheck::plugins));
-    std::vector<std::string> parameters;
-    for (const auto& each : options_.parameters) parameters.push_back(each.first);
-    refuse("parameter", (options_.plugins.empty() ? "the plugins of " : "the chosen plugins of ") + where, parameters,
-           of_all(&FileCheck::parameters));
-    const std::vector<std::string> checks = of_all(&FileCheck::checks);
-    for (const std::string& each : options_.only) {
-      const std::vector<std::string> alone{each};
-      if (std::ranges::any_of(checks, [&](const std::string& check) { return is_wanted(alone, check); })) continue;
-      throw config::BadInput(files_.size() == 1 ? fmt::format("--only {}: {} has no such check", each, where)
-                                                : fmt::format("--only {}: none of these files has such a check", each));
+// Returns the names of all files together, each name once.
+template <class Names>
+std::vector<std::string> of_all(const std::deque<FileCheck>& files, Names names) {
+  std::vector<std::string> out;
+  for (const FileCheck& file : files) {
+    for (const std::string& each : (file.*names)()) {
+      if (std::ranges::find(out, each) == out.end()) out.push_back(each);
     }
   }
+  return out;
+}
 
- private:
-  template <class Names>
-  std::vector<std::string> of_all(Names names) const {
-    std::vector<std::string> out;
-    for (const FileCheck& file : files_) {
-      for (const std::string& each : (file.*names)()) {
-        if (std::ranges::find(out, each) == out.end()) out.push_back(each);
-      }
-    }
-    return out;
+void refuse_unknown(std::string_view what, const std::string& where, const std::vector<std::string>& asked,
+                    const std::vector<std::string>& known) {
+  for (const std::string& each : asked) {
+    if (std::ranges::find(known, each) == known.end()) throw config::BadInput(texts::unknown(what, each, where, known));
   }
-  static void refuse(std::string_view what, const std::string& where, const std::vector<std::string>& asked,
-                     const std::vector<std::string>& known) {
-    for (const std::string& each : asked) {
-      if (std::ranges::find(known, each) == known.end())
-        throw config::BadInput(texts::unknown(what, each, where, known));
-    }
+}
+
+// Throws config::BadInput for a requested name that no file has.
+void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& options) {
+  // If a file cannot be opened, refuses nothing, because a name may belong to this file. The file fails anyway.
+  if (!std::ranges::all_of(files, &FileCheck::is_open)) return;
+  const std::string where = files.size() == 1 ? files.front().name() : "these files";
+  refuse_unknown("plugin", where, options.plugins, of_all(files, &FileCheck::plugins));
+  std::vector<std::string> parameters;
+  for (const auto& each : options.parameters) parameters.push_back(each.first);
+  refuse_unknown("parameter", (options.plugins.empty() ? "the plugins of " : "the chosen plugins of ") + where,
+                 parameters, of_all(files, &FileCheck::parameters));
+  const std::vector<std::string> checks = of_all(files, &FileCheck::checks);
+  for (const std::string& each : options.only) {
+    const std::vector<std::string> alone{each};
+    if (std::ranges::any_of(checks, [&](const std::string& check) { return is_wanted(alone, check); })) continue;
+    throw config::BadInput(files.size() == 1 ? fmt::format("--only {}: {} has no such check", each, where)
+                                             : fmt::format("--only {}: none of these files has such a check", each));
   }
+}
 
-  const std::deque<FileCheck>& files_;
-  const Options& options_;
-};
-
-}  // namespace
-
+// Returns all names that `only` may contain.
 std::vector<std::string> known_checks() {
   std::vector<std::string> out(file_checks.begin(), file_checks.end());
   out.emplace_back("descriptor");
@@ -461,20 +447,18 @@ std::vector<std::string> known_checks() {
   return out;
 }
 
+}  // namespace
+
 std::vector<Report> check_files(const std::vector<fs::path>& files, const Options& options, const Listener& listener) {
-  const std::vector<std::string> known = known_checks();
-  for (const std::string& each : options.only) {
-    if (std::ranges::find(known, each) == known.end())
-      throw config::BadInput(texts::unknown("check", each, "--only", known));
-  }
+  refuse_unknown("check", "--only", options.only, known_checks());
   for (const fs::path& file : files) {
     std::error_code none;
     if (!fs::exists(file, none)) throw config::BadInput(fmt::format("{}: no such file", file.string()));
   }
   Underway note;
-  std::deque<FileCheck> checks;  // they stay where they are
+  std::deque<FileCheck> checks;  // a deque, because FileCheck cannot move
   for (const fs::path& file : files) checks.emplace_back(file, options, listener, note);
-  Asked(checks, options).refuse_what_nobody_has();
+  refuse_what_nobody_has(checks, options);
   std::vector<Report> out;
   for (FileCheck& each : checks) {
     out.push_back(each.run());

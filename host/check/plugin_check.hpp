@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Checks a shared object against <regista/abi.h> as `regista plugin check` does: first without running it, then opened,
-// then the contract of each kind that its plugins implement. The contracts are those of the testkit; each check runs in
-// a process of its own.
+// Checks shared objects against <regista/abi.h>, as `regista plugin check` does. Inspects a file, opens it, and checks
+// the contract (of the testkit) of each kind that its plugins implement. Each check runs in its own process.
 #pragma once
 
 #include <cstdint>
@@ -11,37 +10,33 @@
 #include <utility>
 #include <vector>
 
-#include "check/child.hpp"
-#include "check/verdict.hpp"
+#include "check/isolation.hpp"
 
 namespace regista::check {
 
 struct Options {
-  std::vector<std::string> only;     // checks or groups of them; empty: all
-  std::vector<std::string> plugins;  // ids of those of the file that are checked; empty: all
-  // Values of the plugin's parameters, as text; of a file its path.
+  std::vector<std::string> only;     // names of checks or groups of checks; empty: all
+  std::vector<std::string> plugins;  // ids of the plugins to check; empty: all plugins of the file
+  // Names and values of the plugin's parameters, as text. The value of a parameter for a file is the path of the file.
   std::vector<std::pair<std::string, std::string>> parameters;
-  bool may_idle = false;    // an assigner may leave robots without a task
-  std::uint64_t seed = 0;   // of what the checks draw by chance
-  bool in_process = false;  // in this process, for a debugger
-  // This program, and which of its commands calls play_elsewhere(); empty: nobody plays elsewhere.
-  std::vector<std::string> elsewhere;
-  std::filesystem::path visitors;  // a folder with plugins of which one plays there first
+  bool may_idle = false;    // true: an assigner may leave robots without a task
+  std::uint64_t seed = 0;   // seed of the random numbers in the checks
+  bool in_process = false;  // true: checks run in this process, for a debugger
+  // Words of the command of this program that calls play_perturbed(). Empty: the check `elsewhere` is skipped.
+  std::vector<std::string> perturbed;
+  std::filesystem::path visitors;  // a folder with plugins; one of them plays first in the check `elsewhere`
   Deadline deadline;
 };
 
-// What can be checked of the plugins of a file: names for `only`.
-std::vector<std::string> known_checks();
-
-// Hears of what is found as soon as it is; each may be empty.
+// Functions that receive each result as soon as the result is known. Each function may be empty.
 struct Listener {
   std::function<void(const std::string& file, const Verdict&)> verdict;
-  std::function<void(const Report&)> report;  // at the end of a file
+  std::function<void(const Report&)> report;  // called after all checks of a file
 };
 
-// One report for each file. All are looked at before the first check: throws config::BadInput for an unknown name in
-// `only`, for a file that does not exist, for a value that a parameter cannot have, and for a plugin, parameter or
-// check that none of the files has.
+// Returns one report for each file. Looks at all files before the first check. Throws config::BadInput for an unknown
+// name in `only`, for a file that does not exist, for a value that a parameter cannot have, and for a plugin, parameter
+// or check that none of the files has.
 std::vector<Report> check_files(const std::vector<std::filesystem::path>& files, const Options& options,
                                 const Listener& listener);
 

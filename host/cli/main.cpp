@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// The program `regista`.
 #include "cli/command_line.hpp"
 #include "cli/study_commands.hpp"
 

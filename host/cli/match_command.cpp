@@ -1,30 +1,43 @@
 // SPDX-License-Identifier: MIT
-// `regista match`: plays one match.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "campaign/blame.hpp"
 #include "campaign/engine.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/supervised.hpp"
-#include "cli/commands.hpp"
-#include "cli/plugin_folders.hpp"
-#include "config/typed.hpp"
+#include "campaign/forked_match.hpp"
+#include "campaign/match_setup.hpp"
+#include "cli/command_line.hpp"
+#include "cli/common_options.hpp"
+#include "config/scalar.hpp"
+#include "mcap/file_io.hpp"
 #include "output/output_files.hpp"
-#include "plugin/failure.hpp"
-#include "plugin/plugin_file.hpp"
+#include "output/replaced_file.hpp"
+#include "plugin/fatal_signal.hpp"
+#include "plugin/shared_object.hpp"
+#include "process/file_descriptor.hpp"
+#include "recording/moment_svg.hpp"
+#include "recording/recorded_match.hpp"
 #include "report/what_was_played.hpp"
 #include "results/played_match.hpp"
-#include "results/stored_match.hpp"
+#include "results/replay.hpp"
+#include "results/results_file.hpp"
+#include "study/study.hpp"
 #include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
+
+// --- `regista match`: plays one match.
 
 constexpr auto match_examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml
@@ -48,7 +61,7 @@ Regista; 130 interrupted.)";
 
 const std::vector<std::string> log_levels{"debug", "info", "warning", "error", "none"};
 
-// Nothing when none is to be played again.
+// Returns the stored match that --from and --row name; nullopt without --from.
 std::optional<results::StoredMatch> stored_match_of(const results::MatchOptions& options,
                                                     const Invocation& invocation) {
   if (options.from.empty()) {
@@ -66,8 +79,7 @@ std::optional<results::StoredMatch> stored_match_of(const results::MatchOptions&
   return results::read_stored_match(options.from, options.row, invocation.studies);
 }
 
-// outputs: as they were named before stored_match() went elsewhere. What can be known before the match is refused
-// before.
+// Refuses outputs that would overwrite inputs. outputs: relative to the working folder before stored_match_of().
 void check_what_is_written(output::OutputFiles outputs, const results::MatchOptions& options,
                            const campaign::MatchRequest& played, const plugin::Catalogue& catalogue) {
   std::vector<std::string> documents = played.teams;
@@ -80,7 +92,7 @@ void check_what_is_written(output::OutputFiles outputs, const results::MatchOpti
   outputs.check(options.force);
 }
 
-// "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
+// Describes a failure: "plugin greedy of away (b.yaml), robot 3, tick 41: assign: Segmentation fault"
 std::string failure_text(const campaign::Job& job, const campaign::Failure& failure) {
   const std::string team =
       fmt::format("{} ({})", failure.side == 0 ? "home" : "away", job.teams[failure.side == 0 ? 0 : 1]);
@@ -99,14 +111,14 @@ campaign::Limits limits_of(const results::MatchOptions& options) {
   return out;
 }
 
-// Something went wrong where both teams share a process: a death, or a broken promise, and then the loss says who seems
-// to have broken it. Which team's it was is found out as studies do it: each thinks in a process of its own, and one of
-// these goes wrong again. Throws BadInput that names it; returns when none does.
-void blame(campaign::Job job, campaign::Limits limits, const campaign::Loss& loss) {
+// Finds the guilty team after a crash or a broken promise in a process that both teams share. loss: this event, with
+// the suspected team. Repeats the match with one process per team, as a study does. Throws BadInput with the name of
+// the team that fails again; returns if no team fails.
+void blame(campaign::Job job, campaign::Limits limits, const campaign::ChildDeath& loss) {
   limits.isolation = campaign::Isolation::always;
   job.record.clear();
   try {
-    const campaign::Decided again = campaign::play_alone(job, limits);
+    const campaign::MatchResult again = campaign::play_alone(job, limits);
     if (!again.failure) return;
     const campaign::Failure& failure = *again.failure;
     const plugin::CallNote& call = loss.note.call;
@@ -118,7 +130,7 @@ void blame(campaign::Job job, campaign::Limits limits, const campaign::Loss& los
   }
 }
 
-// The shared objects of the teams' plugins, to tell whether they are still the same.
+// The files of the teams' plugins, to find out later whether they have changed.
 using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
 
 Files files_of(const campaign::MatchSetup& prepared) {
@@ -131,9 +143,9 @@ Files files_of(const campaign::MatchSetup& prepared) {
   return out;
 }
 
-// A plugin ended the process.
+// Reports why the process of the match died. Returns the exit code, or throws BadInput.
 int explain_loss(const results::MatchOptions& options, campaign::Job job, const campaign::Limits& limits,
-                 const Files& files, const campaign::Loss& loss) {
+                 const Files& files, const campaign::ChildDeath& loss) {
   for (const std::string& written : {options.record, options.decisions}) {
     std::error_code none;
     if (!written.empty() && std::filesystem::exists(written, none))
@@ -147,7 +159,7 @@ int explain_loss(const results::MatchOptions& options, campaign::Job job, const 
   }
   const std::string died = campaign::in_words(loss.what, loss.note.call);
   blame(std::move(job), limits, loss);
-  // People and systems send signals; whatever else ended the process, a plugin has done.
+  // A signal from outside comes from a person or the system. Any other end of the process comes from a plugin.
   if (loss.from_outside) {
     complain(fmt::format("the match was ended: {}", died));
     return exit_no;
@@ -156,7 +168,7 @@ int explain_loss(const results::MatchOptions& options, campaign::Job job, const 
 }
 
 int play(results::MatchOptions options, const output::OutputFiles& outputs, const Invocation& invocation) {
-  // Before stored_match() goes elsewhere.
+  // Output paths become absolute, because stored_match_of() changes the working folder.
   for (std::string* written : {&options.decisions, &options.record, &options.metrics}) {
     if (!options.from.empty() && !written->empty()) *written = std::filesystem::absolute(*written).string();
   }
@@ -171,7 +183,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
         fmt::format("match: expected two files of teams, {} given; see: regista match --help", options.teams.size()));
   }
   std::vector<std::string> folders = stored ? stored->job.plugins : options.plugins;
-  // Its documents may be read in another folder.
+  // Folders become absolute, because the program reads the documents of a stored match in another folder.
   for (std::string& each : folders) each = stored ? std::filesystem::absolute(each).string() : each;
   const plugin::Catalogue catalogue =
       stored ? results::open_stored_plugins(options.from, folders, invocation) : open_plugins(folders, invocation);
@@ -187,7 +199,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
   const campaign::MatchRequest wanted = campaign::request_of(job);
   campaign::MatchSetup prepared = as_then ? as_then->take() : campaign::match_setup(wanted, catalogue);
   tell_what_is_not_used(catalogue, folders);
-  // Who plays a match again knows what its documents are.
+  // A user who replays a stored match does not need these warnings.
   if (!stored) {
     for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   }
@@ -208,7 +220,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
                                          results::end_in_words(stored->decided))));
   }
   const auto work = [&](campaign::WorkerNote& note) {
-    // A match that failed has no hash to be compared with.
+    // A failed match has no hash, so the program does not compare the replay with the stored match.
     const std::optional<results::StoredMatch> none;
     return results::play_prepared(options, invocation.arguments, failed ? none : stored, what, std::move(prepared),
                                   note);
@@ -217,7 +229,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
     campaign::WorkerNote note;
     try {
       return work(note);
-    } catch (const campaign::Disorder& disorder) {
+    } catch (const campaign::LeftoverState& disorder) {
       throw BadInput(disorder.what());
     }
   }
@@ -225,16 +237,16 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
   const auto explained = [&](campaign::WorkerNote& note) {
     try {
       return work(note);
-    } catch (const campaign::Disorder&) {
-      throw;  // reported by the program itself, as what ends the copy is
+    } catch (const campaign::LeftoverState&) {
+      throw;  // the supervising process reports this exception
     } catch (const plugin::Failure& failure) {
-      // What was destroyed since has noted its own calls.
+      // Destructors of plugin objects ran after the failure and overwrote the note. So write the caller again.
       if (const auto& caller = failure.caller()) {
-        note.call.side = caller->noting.side;
+        note.call.side = caller->tracing.side;
         note.call.robot = caller->robot;
         note.call.tick = caller->tick;
       }
-      throw campaign::Disorder(failure.what());  // another team's plugin may have made it fail
+      throw campaign::LeftoverState(failure.what());  // the other team's plugin may have caused the failure
     } catch (const std::bad_alloc&) {
       throw;
     } catch (...) {
@@ -246,8 +258,116 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
     return exit_by_signal(signal_number);
   };
   return campaign::run_supervised(
-      limits, {explained, [&](const campaign::Loss& loss) { return explain_loss(options, job, limits, files, loss); },
-               interrupted});
+      limits,
+      {explained, [&](const campaign::ChildDeath& loss) { return explain_loss(options, job, limits, files, loss); },
+       interrupted});
+}
+
+// --- `regista view`: shows a recorded match or a study's match as an HTML page, or one moment of a match as a picture.
+
+constexpr auto view_examples = R"(Examples:
+  regista match a.yaml b.yaml --record match.mcap
+  regista view match.mcap
+  regista view tournament.db --row 17
+  regista view match.mcap -o page.html --force
+  regista view match.mcap --at 7:42 -o frame.svg
+  regista view match.mcap --at 462.3 --robot away/5 -o frame.svg
+  regista view match.mcap --at 2/3:10 --robot 3 -o frame.svg
+  regista view match.mcap --at 7:42 --robot 3 --layer cells -o cells.svg
+
+The page needs nothing but a browser. --row shows a match of a study: it uses the recording of that match, or plays it
+again, and writes the page NAME.replays/ROW.html beside the results NAME.db. --at 7:42, or 462 (seconds), is the time since the match began, as under the field
+of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
+shows the world as the robot believed it, its tasks, the utilities it chose by, and what its plugins drew and logged.
+--layer cells, or --layer "voronoi: cells" (plugin and layer), leaves out all other drawings.
+
+Exit codes: 0 done; 1 the page could not be written, or the match of --row came out otherwise; 2 bad input; 3 a defect
+of Regista; 130 interrupted.)";
+
+struct ViewOptions {
+  std::string file, output, at, robot, row;
+  std::vector<std::string> layers;
+  bool force = false;
+};
+
+std::filesystem::path output_of(const ViewOptions& options) {
+  if (!options.output.empty()) return options.output;
+  return std::filesystem::path(options.file).replace_extension(options.at.empty() ? ".html" : ".svg");
+}
+
+// Writes the HTML page of one match of a study.
+int view_row(const ViewOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
+  if (!options.at.empty() || !options.robot.empty() || !options.layers.empty())
+    throw BadInput("view: --row writes the page of a match; --at, --robot and --layer belong to a recording");
+  if (options.output == "-") throw BadInput("view: --row writes a file; -o - belongs to a recording");
+  constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+  const std::uint64_t row = config::parse_whole("--row", options.row, 1, most);
+  const campaign::Store store = results::read_results(options.file);
+  const std::filesystem::path page = options.output.empty()
+                                         ? study::replay_file(options.file, static_cast<std::int64_t>(row))
+                                         : std::filesystem::path(options.output);
+  if (!options.output.empty()) outputs.write("-o", page, Writes::page);
+  outputs.read({options.file}, Reads::results);
+  outputs.read({results::viewer_file(invocation).string()}, Reads::data);
+  outputs.check(options.force);
+  const report::ListedMatch match = results::listed_match({options.file, store, invocation.studies}, row);
+  const results::Replay shown = results::replay(options.file, match, results::Recorded::used, page, invocation);
+  if (!shown.remark.empty()) complain(shown.remark);
+  complain(shown.words);
+  output::print(shown.page.string() + '\n');
+  return shown.same ? exit_done : exit_no;
+}
+
+int run(const ViewOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
+  if (options.file.empty()) {
+    throw BadInput("view: which recording? Name a file that `regista match --record FILE` wrote");
+  }
+  if (!options.row.empty()) return view_row(options, std::move(outputs), invocation);
+  std::error_code none;
+  if (std::filesystem::is_regular_file(options.file, none) && output::is_database(options.file))
+    throw BadInput(fmt::format("view: {} holds many matches; which one? Say --row N", options.file));
+  if (options.at.empty() && !options.robot.empty()) {
+    throw BadInput("view: --robot belongs to --at, which is not given; the page shows all robots");
+  }
+  if (!options.layers.empty() && options.robot.empty()) {
+    throw BadInput(options.at.empty()
+                       ? "view: --layer belongs to --at and --robot, which are not given"
+                       : "view: --layer belongs to --robot, which is not given; a robot's plugins draw layers");
+  }
+  const std::filesystem::path output = output_of(options);
+  outputs.write("-o", output, Writes::page);
+  outputs.read({results::viewer_file(invocation).string()}, Reads::data);
+  try {
+    const bool picture = !options.at.empty();
+    const recording::Moment wanted = picture ? recording::parse_moment(options.at) : recording::Moment{};
+    if (!picture) results::require_small_enough(options.file);
+    const recording::RecordedMatch match(options.file);
+    outputs.check(options.force);
+    if (!match.damage().empty()) complain(match.damage());
+    std::string written;
+    if (picture) {
+      std::optional<recording::RobotName> robot;
+      if (!options.robot.empty()) robot = recording::parse_robot(options.robot, match.team_size());
+      recording::RecordedMoment moment = match.at(recording::time_of(match, wanted), robot);
+      recording::keep_layers(moment.drawings, options.layers);
+      written = recording::moment_svg(match, moment, robot);
+    } else {
+      const std::filesystem::path file = options.file;
+      std::optional<process::TemporaryFolder> folder;
+      if (!match.fits_page()) match.write_for_page(folder.emplace().path() / "copy.mcap");
+      written =
+          results::viewer_page(folder ? folder->path() / "copy.mcap" : file, file.filename().string(), {}, invocation);
+    }
+    if (output == "-") {
+      output::print(written);
+      return exit_done;
+    }
+    output::write_whole(output, written, options.force ? output::Existing::replaced : output::Existing::refused);
+    output::print(output.string() + '\n');
+  } catch (const mcap::Error& error) {
+    throw BadInput(error.what());
+  }
+  return exit_done;
 }
 
 }  // namespace
@@ -290,6 +410,25 @@ void add_match(Command& parent, const Invocation& invocation) {
   command.notes(match_examples);
   command.run = [options, &command, &invocation] {
     return play(*options, output::OutputFiles(command.given(), "match"), invocation);
+  };
+}
+
+void add_view(Command& parent, const Invocation& invocation) {
+  Command& command = parent.add("view", "see a recorded match");
+  const auto options = std::make_shared<ViewOptions>();
+  command.take("recording", options->file, "FILE", "recording of a match, or with --row the results of a study",
+               Reads::data);
+  command.take("--row", options->row, "N", "of results: the page of this match, from 1");
+  command.take("-o,--output", options->output, "FILE",
+               "write this file, - for standard output; default: beside the recording, as .html or .svg", Writes::page);
+  command.take("--at", options->at, "[HALF/]M:SS", "a picture of this moment instead of the page");
+  command.take("--robot", options->robot, "[home/|away/]N", "of --at: the world as this robot believed it");
+  command.take("--layer", options->layers, "NAME",
+               "of --robot: of what its plugins drew only this layer; may be repeated");
+  command.flag("--force", options->force, "replace an existing file");
+  command.notes(view_examples);
+  command.run = [options, &command, &invocation] {
+    return run(*options, output::OutputFiles(command.given(), "view"), invocation);
   };
 }
 

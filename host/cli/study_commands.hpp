@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Studies as their commands play them: `regista tournament`, `experiment` and `tune`, and `regista run` and `resume`,
-// which play any study that a document asks for or a file of results holds.
+// The functions with which commands play studies. `regista tournament`, `experiment` and `tune` each play one kind of
+// study. `regista run` plays the study of any document; `resume` continues the study of a results file.
 #pragma once
 
 #include <functional>
 #include <span>
 #include <string>
 
-#include "cli/study_options.hpp"
+#include "cli/common_options.hpp"
 #include "output/output_files.hpp"
 #include "results/study_kind.hpp"
 #include "results/study_run.hpp"
@@ -15,30 +15,30 @@
 namespace regista::cli {
 
 struct TuneOptions : StudyOptions {
-  std::string trace, output;  // files; empty: none, beside the results
-  bool force = false;         // they may replace files of another kind
+  std::string trace, output;  // paths of files; empty trace: no file; empty output: a file beside the results
+  bool force = false;         // --force: outputs may replace files of another kind
 };
 
-// Which studies there are. A study needs the declared struct of its document
-// (config::DocumentKind), a study::Study, a report::StudyReport whose outline says what was found, and a row here; then
-// `regista run` plays its documents. tests/integration/sixth_study has these and nothing else.
+// Returns all kinds of studies. A new kind needs a declared struct for its document (config::DocumentKind), a
+// study::Study, a report::StudyReport whose outline describes the findings, and a row in the list of this function.
+// `regista run` then plays documents of the new kind. tests/integration/sixth_study is a minimal example.
 std::span<const results::StudyKind> study_kinds();
 
-// The one that such documents ask for.
+// Returns the kind of study whose documents are of the kind `document`.
 const results::StudyKind& study_kind(const config::DocumentKind& document);
 
-// Plans what the options ask for. Results get the document's name where they have none, and what is read and written is
-// added to the outputs, which are not checked yet. Throws what end_of_program.hpp explains.
+// Plans the study of the options. Without --results, the results file gets the name of the document. The function adds
+// all inputs and outputs to `outputs` without a check. Throws the exceptions that terminal.hpp explains.
 results::PlannedStudy planned(const results::StudyKind& kind, StudyOptions& options, output::OutputFiles& outputs,
                               const Invocation& invocation);
 
-// Plays it to the report: the exit code. wishes: what the command does besides, with all that is written; empty:
-// nothing. force: outputs may replace files of another kind.
-using WishesOf = std::function<results::StudyWishes(report::StudyReport& report, output::OutputFiles& outputs)>;
+// Plays the study and prints the report. Returns the exit code. hooks: returns further actions of the command; empty:
+// no further actions. force: outputs may replace files of other kinds.
+using HooksOf = std::function<results::StudyHooks(report::StudyReport& report, output::OutputFiles& outputs)>;
 int play(const results::StudyKind& kind, StudyOptions options, output::OutputFiles outputs,
-         const Invocation& invocation, const WishesOf& wishes = {}, bool force = false);
+         const Invocation& invocation, const HooksOf& hooks = {}, bool force = false);
 
-// A tuning, whose team is written at its end.
+// Plays a tuning, then writes the tuned team. Returns the exit code.
 int play_tuning(const std::string& plan, const TuneOptions& options, output::OutputFiles outputs,
                 const Invocation& invocation);
 

@@ -7,20 +7,20 @@
 #include <chrono>
 #include <filesystem>
 #include <optional>
+#include <stdexcept>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
 
-#include "campaign/job_setup.hpp"
 #include "campaign/match_setup.hpp"
-#include "cluster/slurm.hpp"
-#include "command/interruption.hpp"
+#include "cluster/batch.hpp"
+#include "cluster/study_folder.hpp"
 #include "command/terminal.hpp"
-#include "config/typed.hpp"
-#include "output/output.hpp"
+#include "config/scalar.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
-#include "process/program.hpp"
+#include "process/child.hpp"
 #include "results/results_file.hpp"
 #include "results/study_run.hpp"
 #include "texts/message.hpp"
@@ -29,13 +29,14 @@ namespace regista::cluster {
 namespace {
 
 namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using command::BadInput;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::uint64_t most_tasks = 1000;  // of an array, as clusters are usually set (MaxArraySize 1001)
+constexpr std::uint64_t most_tasks = 1000;  // tasks of an array: usual limit of clusters (MaxArraySize 1001)
 
-std::string line_of(const std::vector<std::string>& words) { return process::shell_line(words); }
 std::string command_of(const char* name, const StudyFolder& folder) {
-  return line_of({"regista", name, folder.root().string()});
+  return process::shell_line({"regista", name, folder.root().string()});
 }
 std::string name_of(const StudyFolder& folder) { return texts::one_line(folder.root().string()); }
 
@@ -51,10 +52,10 @@ Settings settings_of(const Options& options, const campaign::Options& campaign) 
   return out;
 }
 
-// The files of plugins that the study's matches need: whatever the folders hold besides does not travel.
+// Returns the plugin files that the study's matches need: only these files of the plugin folders are copied.
 std::vector<std::string> plugin_files_of(study::Study& study, const results::Invocation& invocation) {
   const std::vector<campaign::Job> jobs = results::first_jobs(study);
-  if (jobs.empty()) throw command::BadInput("run: the study asks for no match");
+  if (jobs.empty()) throw BadInput("run: the study asks for no match");
   const plugin::Catalogue catalogue = results::open_plugins(jobs.front().plugins, invocation);
   for (const campaign::Job& each : jobs) campaign::match_setup(campaign::request_of(each), catalogue);
   std::vector<std::string> out;
@@ -69,13 +70,14 @@ void write_script(const fs::path& file, const std::string& command) {
 }
 
 void write_scripts(const StudyFolder& folder) {
-  const std::string program = line_of({folder.program().string()}), root = line_of({folder.root().string()});
+  const std::string program = process::shell_line({folder.program().string()}),
+                    root = process::shell_line({folder.root().string()});
   write_script(folder.root() / "task.sh",
                fmt::format("exec {} cluster-task {} \"$1\" \"$SLURM_ARRAY_TASK_ID\"", program, root));
   write_script(folder.root() / "gather.sh", fmt::format("exec {} gather {}", program, root));
 }
 
-// All that a study needs to be played, in its folder.
+// Copies all inputs of a study into its folder.
 void lay_out(const StudyFolder& folder, Settings settings, const results::Invocation& invocation) {
   const std::string results = folder.results().string();
   const campaign::Store store = results::read_results(results);
@@ -97,13 +99,7 @@ std::string in_words(const SubmittedBatch& batch) {
                      batch.tasks);
 }
 
-std::string minutes_text(double seconds) {
-  if (seconds < 90.0) return fmt::format("{:.0f} s", seconds);
-  if (seconds < 5400.0) return fmt::format("{:.0f} min", seconds / 60.0);
-  return fmt::format("{:.1f} h", seconds / 3600.0);
-}
-
-// The report of a study that is complete, and what stands beside its results. Nothing is played.
+// Writes the report of a complete study and the files beside its results. Plays nothing.
 int finish(const StudyFolder& folder, const Progress& progress, const campaign::Options& options,
            const results::Invocation& invocation) {
   if (!options.quiet && !progress.message.empty()) command::say(progress.message + '\n');
@@ -115,27 +111,25 @@ int finish(const StudyFolder& folder, const Progress& progress, const campaign::
   const results::StudyKind& kind = results::kind_of(own.results, plan, invocation.studies);
   const auto report = results::stored_study(own.results, results::read_results(own.results),
                                             results::play_again(invocation), invocation.studies);
-  std::error_code no_folder;  // files are named as they were when it was begun; on a node that folder need not be there
+  std::error_code no_folder;  // ignored: this node may lack the study's folder, from which file names start
   fs::current_path(report->study().folder(), no_folder);
-  using enum output::OutputFiles::Page;
   output::OutputFiles outputs({}, "study");
-  outputs.write_beside(own.results, own.no_page ? none : kind.figures ? with_figures : alone);
+  outputs.write_beside(own.results, !own.no_page, kind.figures);
   if (!options.quiet) command::say(fmt::format("results: {}\n", texts::one_line(own.results)));
   if (kind.play) return kind.play(plan, own, outputs, invocation);
   campaign::Store store = results::open_results(own.results, true, report->study(), {}, invocation.studies);
-  results::StudyWishes wishes;
-  wishes.figures = kind.figures;
-  return results::play_study(*report, own, invocation, store, wishes);
+  return results::play_study(*report, own, invocation, store, {});
 }
 
-// Waits for the end of a study, with a line of progress.
+// Waits for the end of a study and shows a line of progress.
 class Follower {
  public:
   Follower(const StudyFolder& folder, const campaign::Options& options, const results::Invocation& invocation)
-      : folder_(folder), options_(options), invocation_(invocation), line_(!options.quiet) {
-    const Progress progress = folder.progress();
-    batches_ = progress.batches.size();
-  }
+      : folder_(folder),
+        options_(options),
+        invocation_(invocation),
+        line_(!options.quiet),
+        batches_(folder.progress().batches.size()) {}
 
   int run() {
     wait();
@@ -143,9 +137,8 @@ class Follower {
   }
 
  private:
-  // Its own listening to interruptions ends before that of the report begins.
+  // The Interruption of wait() must be destroyed before the report creates its own Interruption.
   void wait() {
-    using namespace std::chrono_literals;
     const std::string to_look = command_of("status", folder_), to_end = command_of("stop", folder_);
     const command::Interruption interruption(
         fmt::format("regista: interrupted; the array plays on; to look: {}\n", to_look));
@@ -155,9 +148,9 @@ class Follower {
       if (progress.state == Progress::State::complete) break;
       if (progress.state != Progress::State::running) {
         line_.clear();
-        throw command::BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder_),
-                                            progress.state == Progress::State::stopped ? "been stopped" : "failed",
-                                            progress.message, command_to_go_on(folder_)));
+        throw BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder_),
+                                   progress.state == Progress::State::stopped ? "been stopped" : "failed",
+                                   progress.message, command_to_go_on(folder_)));
       }
       if (interruption.requested()) {
         line_.clear();
@@ -186,30 +179,28 @@ class Follower {
     command::say(text + '\n');
   }
 
-  // As soon as tasks have ended: a test may have decided. And when no job is left that would do it.
+  // Takes a step if tasks have ended, because their matches may end the study, or if no job is left to take a step.
   void take_step_if_it_is_time(const Progress& progress) {
-    using namespace std::chrono_literals;
     const auto began = Clock::now();
     bool wanted = status_of(folder_).ended > 0;
     try {
       wanted = wanted || jobs_alive(progress).empty();
     } catch (const SlurmError&) {
-      // Slurm does not answer just now; the files tell how things stand.
+      // Ignored: Slurm does not answer at present, but the files still show the state.
     }
     if (wanted) take_step(folder_, false, invocation_);
-    // Where looking at all matches takes long, it is done seldom.
+    // The slower a step is, the longer the pause before the next step.
     next_step_ = Clock::now() + std::max<Clock::duration>(5s, 20 * (Clock::now() - began));
   }
 
-  // The job that gathered the last matches writes the page, too.
+  // Waits for the end of all jobs, because the job that gathered the last matches also writes the page.
   void wait_for_jobs(const command::Interruption& interruption) const {
-    using namespace std::chrono_literals;
     const auto until = Clock::now() + 10min;
     try {
       while (!interruption.requested() && Clock::now() < until && !jobs_alive(folder_.progress()).empty())
         std::this_thread::sleep_for(300ms);
     } catch (const SlurmError&) {
-      // Then the file of results says whether it is in use.
+      // Ignored: opening the file of results will fail if a job still uses the file.
     }
   }
 
@@ -217,9 +208,9 @@ class Follower {
   const campaign::Options& options_;
   const results::Invocation& invocation_;
   command::RewrittenLine line_;
-  std::size_t batches_ = 0;
+  std::size_t batches_;  // number of batches that were reported
   std::vector<std::string> remarks_;
-  Clock::time_point next_step_ = Clock::now() + std::chrono::seconds(5);
+  Clock::time_point next_step_ = Clock::now() + 5s;
 };
 
 }  // namespace
@@ -227,10 +218,8 @@ class Follower {
 int run_on_cluster(const Options& options, const campaign::Options& campaign, const std::string& file,
                    const std::function<void(const campaign::Options& options)>& begin,
                    const results::Invocation& invocation) {
-  if (!campaign.results.empty())
-    throw command::BadInput("--results: with --on the results lie in the study's folder: --folder");
-  if (campaign.resume)
-    throw command::BadInput("--resume: a study on a cluster is gone on with by: regista resume FOLDER");
+  if (!campaign.results.empty()) throw BadInput("--results: with --on the results lie in the study's folder: --folder");
+  if (campaign.resume) throw BadInput("--resume: a study on a cluster is gone on with by: regista resume FOLDER");
   const Settings settings = settings_of(options, campaign);
   const StudyFolder folder(options.folder.empty() ? fs::path(file).stem().string() + ".cluster" : options.folder);
   folder.create(settings);
@@ -245,7 +234,7 @@ int run_on_cluster(const Options& options, const campaign::Options& campaign, co
     step = take_step(folder, false, invocation);
   } catch (...) {
     std::error_code none;
-    if (folder.progress().batches.empty()) fs::remove_all(folder.root(), none);  // there is nothing in it but copies
+    if (folder.progress().batches.empty()) fs::remove_all(folder.root(), none);  // there are no results yet
     throw;
   }
   if (!campaign.quiet && step.plays) {
@@ -271,8 +260,7 @@ int tell_step(const StudyFolder& folder, const Step& step, const campaign::Optio
                                   texts::one_line(folder.set_aside().string())));
   if (step.progress.state == Progress::State::complete) return finish(folder, step.progress, options, invocation);
   if (step.progress.state == Progress::State::failed)
-    throw command::BadInput(
-        fmt::format("{}; to go on: {}", texts::one_line(step.progress.message), command_to_go_on(folder)));
+    throw BadInput(fmt::format("{}; to go on: {}", texts::one_line(step.progress.message), command_to_go_on(folder)));
   if (!options.quiet) {
     std::string text = fmt::format("{} matches gathered", step.gathered.rows);
     if (step.submitted > 0) text += ", " + in_words(step.progress.batches.back());
@@ -286,11 +274,11 @@ int tell_step(const StudyFolder& folder, const Step& step, const campaign::Optio
 Status status_of(const StudyFolder& folder) {
   Status out;
   out.progress = folder.progress();
-  for (const Course& each : courses(folder)) {
+  for (const TaskProgress& each : task_progress(folder)) {
     out.in_parts += each.done;
     out.failed_in_parts += each.failed;
     if (each.ended) ++out.ended;
-    // Of tasks that were killed or cancelled it still says how far they were.
+    // A killed task does not write its end, so its file is ignored if the study does not run.
     if (each.ended || out.progress.state != Progress::State::running) continue;
     ++out.running;
     if (each.seconds > 0.0) out.rate += static_cast<double>(each.fresh) / each.seconds;
@@ -302,11 +290,11 @@ std::string in_words(const Status& status) {
   const std::uint64_t done = status.progress.rows + status.in_parts, all = status.progress.matches;
   std::string out = fmt::format("{} of {} matches", done, all);
   if (status.failed_in_parts > 0) out += fmt::format(", {} forfeited or set aside lately", status.failed_in_parts);
-  if (status.running > 0)
-    out += fmt::format(", {} {}", status.running, status.running == 1 ? "task plays" : "tasks play");
+  if (status.running > 0) out += ", " + texts::plural(status.running, "task plays", "tasks play");
   if (status.rate > 0.0) {
     out += fmt::format(", {:.3g} matches a second", status.rate);
-    if (all > done) out += fmt::format(", some {} left", minutes_text(static_cast<double>(all - done) / status.rate));
+    if (all > done)
+      out += fmt::format(", some {} left", texts::duration(static_cast<double>(all - done) / status.rate));
   }
   return out;
 }

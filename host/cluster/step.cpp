@@ -11,16 +11,12 @@
 #include <thread>
 #include <utility>
 
-#include "campaign/inputs.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/mathematics.hpp"
+#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
 #include "cluster/batch.hpp"
-#include "cluster/missing.hpp"
-#include "cluster/slurm.hpp"
-#include "command/end_of_program.hpp"
-#include "output/output.hpp"
+#include "command/terminal.hpp"
 #include "output/replaced_file.hpp"
-#include "process/program.hpp"
+#include "process/child.hpp"
 #include "results/results_file.hpp"
 #include "texts/message.hpp"
 
@@ -29,10 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t most_fruitless = 5;  // a batch of few matches may be preempted again and again
+constexpr std::uint64_t most_fruitless = 5;  // consecutive batches without a new match after which a study fails
 constexpr std::size_t most_remarks = 20;
-constexpr int most_looks = 10;                    // of one task, one after the other
-constexpr std::chrono::minutes longest_wait{10};  // for another process that takes a step
+constexpr int most_looks = 10;                    // largest number of steps that a task takes at its end
+constexpr std::chrono::minutes longest_wait{10};  // longest wait for the end of another process's step
 
 campaign::Store opened(const StudyFolder& folder) {
   const auto until = std::chrono::steady_clock::now() + longest_wait;
@@ -53,65 +49,48 @@ campaign::Store opened(const StudyFolder& folder) {
 void copy_over(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  if (error)
-    throw output::WriteError(fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), error.message()));
+  if (!error) return;
+  throw output::WriteError(fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), error.message()));
 }
 
-// Options of sbatch that say who asks, and those of tasks: theirs, with the nodes that are left out.
-std::vector<std::string> options_of_gather(const Settings& settings) {
+// Returns options of sbatch with the excluded nodes. The gather job gets only account, QOS, reservation, partition.
+std::vector<std::string> sbatch_options(const Settings& settings, const Progress& progress, bool of_tasks) {
   std::vector<std::string> out;
   if (!settings.partition.empty()) out.push_back("--partition=" + settings.partition);
+  if (of_tasks && !settings.time.empty()) out.push_back("--time=" + settings.time);
   for (const std::string& each : settings.options) {
-    if (each.starts_with("--account") || each.starts_with("--qos") || each.starts_with("--reservation"))
-      out.push_back(each);
+    const bool who = each.starts_with("--account") || each.starts_with("--qos") || each.starts_with("--reservation");
+    if (of_tasks || who) out.push_back(each);
   }
-  return out;
-}
-
-std::vector<std::string> options_of_tasks(const Settings& settings) {
-  std::vector<std::string> out;
-  if (!settings.partition.empty()) out.push_back("--partition=" + settings.partition);
-  if (!settings.time.empty()) out.push_back("--time=" + settings.time);
-  out.insert(out.end(), settings.options.begin(), settings.options.end());
-  return out;
-}
-
-void leave_out(const std::vector<std::string>& nodes, std::vector<std::string>& options) {
-  if (nodes.empty()) return;
-  const std::string more = fmt::format("{}", fmt::join(nodes, ","));
-  const auto given =
-      std::ranges::find_if(options, [](const std::string& each) { return each.starts_with("--exclude="); });
-  if (given == options.end())
-    options.push_back("--exclude=" + more);
+  if (progress.refused_nodes.empty()) return out;
+  const std::string nodes = fmt::format("{}", fmt::join(progress.refused_nodes, ","));
+  const auto given = std::ranges::find_if(out, [](const std::string& each) { return each.starts_with("--exclude="); });
+  if (given == out.end())
+    out.push_back("--exclude=" + nodes);
   else
-    *given += "," + more;
+    *given += "," + nodes;
+  return out;
 }
 
-// Of the last batch.
+// Returns the request for the job array of the last batch.
 JobRequest array_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
   const SubmittedBatch& batch = progress.batches.back();
-  JobRequest out;
-  out.name = fmt::format("{}-{}", folder.root().filename().string(), batch.number);
-  out.script = folder.root() / "task.sh";
-  out.arguments = {std::to_string(batch.number)};
-  out.output = in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", batch.number);
-  out.tasks = batch.tasks;
-  out.processors = settings.workers;
-  out.options = options_of_tasks(settings);
-  leave_out(progress.refused_nodes, out.options);
-  return out;
+  return {.name = fmt::format("{}-{}", folder.root().filename().string(), batch.number),
+          .script = folder.root() / "task.sh",
+          .arguments = {std::to_string(batch.number)},
+          .output = in_pattern(folder.logs()) + fmt::format("/{}-%a.txt", batch.number),
+          .tasks = batch.tasks,
+          .processors = settings.workers,
+          .options = sbatch_options(settings, progress, true)};
 }
 
 JobRequest gather_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
   const SubmittedBatch& batch = progress.batches.back();
-  JobRequest out;
-  out.name = folder.root().filename().string() + "-gather";
-  out.script = folder.root() / "gather.sh";
-  out.output = in_pattern(folder.logs()) + fmt::format("/{}-gather.txt", batch.number);
-  out.after = batch.array_job;
-  out.options = options_of_gather(settings);
-  leave_out(progress.refused_nodes, out.options);
-  return out;
+  return {.name = folder.root().filename().string() + "-gather",
+          .script = folder.root() / "gather.sh",
+          .output = in_pattern(folder.logs()) + fmt::format("/{}-gather.txt", batch.number),
+          .after = batch.array_job,
+          .options = sbatch_options(settings, progress, false)};
 }
 
 void submit_gather(const StudyFolder& folder, const Settings& settings, Progress& progress) {
@@ -121,20 +100,17 @@ void submit_gather(const StudyFolder& folder, const Settings& settings, Progress
 
 void submit_next(const StudyFolder& folder, const Settings& settings, const Missing& missing, std::uint64_t rows,
                  Progress& progress) {
-  Batch batch;
-  batch.first_row = missing.first_row;
-  batch.may_end_early = missing.may_end_early;
-  batch.tasks = shared_out(missing.places, missing.twice, settings.matches, settings.tasks);
-  SubmittedBatch submitted;
-  submitted.number = progress.batches.size() + 1;
-  submitted.tasks = batch.tasks.size();
-  submitted.matches = batch.matches();
-  submitted.rows_before = rows;
+  const Batch batch{missing.first_row, missing.may_end_early,
+                    shared_out(missing.places, missing.twice, settings.matches, settings.tasks)};
+  const SubmittedBatch submitted{.number = progress.batches.size() + 1,
+                                 .tasks = batch.tasks.size(),
+                                 .matches = batch.matches(),
+                                 .rows_before = rows};
   if (!missing.is_first) copy_over(folder.results(), folder.known_before(submitted.number));
   output::write_whole(folder.batch(submitted.number), to_json(batch), output::Existing::replaced);
 
   progress.batches.push_back(submitted);
-  folder.write(progress);  // before: who goes on after a kill asks Slurm for it
+  folder.write(progress);  // written first: if this process is killed, the next process asks Slurm for the job
   std::string& job = progress.batches.back().array_job;
   try {
     job = submit(array_request(folder, settings, progress));
@@ -144,7 +120,7 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const Miss
     throw;
   }
   try {
-    folder.write(progress);  // so that the array is known, whatever becomes of the next
+    folder.write(progress);  // written now, so that the array is known even if submit_gather() fails
   } catch (...) {
     cancel({job});
     throw;
@@ -152,7 +128,7 @@ void submit_next(const StudyFolder& folder, const Settings& settings, const Miss
   submit_gather(folder, settings, progress);
 }
 
-// Who submitted the last jobs may have been killed before it noted their numbers.
+// Asks Slurm for jobs that a process submitted before it was killed, without writing their numbers.
 void find_unnoted_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   if (progress.batches.empty()) return;
   SubmittedBatch& batch = progress.batches.back();
@@ -160,7 +136,7 @@ void find_unnoted_jobs(const StudyFolder& folder, const Settings& settings, Prog
   if (batch.gather_job.empty()) batch.gather_job = job_of(gather_request(folder, settings, progress));
 }
 
-// What this step found about parts and nodes, after what earlier ones did.
+// Appends the remarks of this step about parts and nodes to earlier remarks.
 void keep_remarks(const Gathered& gathered, Progress& progress) {
   for (const std::string& each : gathered.refused_nodes) {
     if (std::ranges::find(progress.refused_nodes, each) == progress.refused_nodes.end())
@@ -171,17 +147,17 @@ void keep_remarks(const Gathered& gathered, Progress& progress) {
     progress.remarks.erase(progress.remarks.begin(), progress.remarks.end() - most_remarks);
 }
 
-// Nobody comes after the array where the job for that was ended, or was refused.
+// Submits the gather job, which runs after the array, once more if the gather job has ended or was refused.
 void require_gather_job(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   const std::string& job = progress.batches.back().gather_job;
   if (job.empty() || (!is_within({job}) && alive({job}).empty())) submit_gather(folder, settings, progress);
 }
 
-// What plays on is not wanted any more: a test has decided.
+// Ends the remaining jobs of a study that needs no more matches.
 void end_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   const std::string& array = progress.batches.back().array_job;
   if (!is_within({array})) return cancel(jobs_alive(progress));
-  // A task ends its own array, and with it this process; the job after that one says what came of the study.
+  // This process is a task of the array, so it ends itself here. The gather job then reports the result of the study.
   require_gather_job(folder, settings, progress);
   cancel({array});
 }
@@ -189,7 +165,7 @@ void end_jobs(const StudyFolder& folder, const Settings& settings, Progress& pro
 void complete(const StudyFolder& folder, const Settings& settings, std::uint64_t rows, std::uint64_t seen,
               bool array_lives, Progress& progress) {
   const bool was = std::exchange(progress.state, Progress::State::complete) == Progress::State::complete;
-  // Equal matches share a row: of these there may be more than is said.
+  // Equal matches share a row, so the real number of superfluous matches may be larger than the number in the message.
   progress.message =
       rows <= seen
           ? std::string()
@@ -206,17 +182,15 @@ void complete(const StudyFolder& folder, const Settings& settings, std::uint64_t
 
 void require_same_results_here(const StudyFolder& folder, const campaign::Store& results,
                                const results::Invocation& invocation) {
-  const std::vector<campaign::Job> jobs =
-      results::first_jobs(results::stored_study(folder.results().string(), results, {}, invocation.studies)->study());
-  if (jobs.empty()) return;
-  const std::string different = what_differs_here(jobs.front());
+  const auto report = results::stored_study(folder.results().string(), results, {}, invocation.studies);
+  const std::string different = what_differs_here(report->study());
   if (different.empty()) return;
-  throw command::BadInput(fmt::format(
-      "this machine is none to go on with the study: {}; on one of its nodes: {}", different,
-      process::shell_line(std::vector<std::string>{folder.program().string(), "gather", folder.root().string()})));
+  throw command::BadInput(
+      fmt::format("this machine is none to go on with the study: {}; on one of its nodes: {}", different,
+                  process::shell_line({folder.program().string(), "gather", folder.root().string()})));
 }
 
-// The file of results is held.
+// Precondition: the caller has opened and so locked the file of results.
 Step step(const StudyFolder& folder, campaign::Store& results, bool restart, const results::Invocation& invocation) {
   const Settings settings = folder.settings();
   Step out;
@@ -226,7 +200,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
   const bool array_lives = has_batch && !alive({progress.batches.back().array_job}).empty();
   out.gathered = gather(folder, results, array_lives ? Tasks::ended : Tasks::killed_too, REGISTA_VERSION);
   keep_remarks(out.gathered, progress);
-  folder.write(progress);  // whatever is met below
+  folder.write(progress);  // written now, because the following calls may throw
   const auto report = results::stored_study(folder.results().string(), results, {}, invocation.studies);
   const Missing missing = missing_of(report->study(), results, settings.tasks * settings.matches);
   const report::Outline outline = report->outline();
@@ -234,7 +208,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
   progress.matches = report->study().most_matches();
   progress.finding = report->study().counted() > 0 ? plain(outline.headline) : "";
   progress.rows = static_cast<std::uint64_t>(results.rows());
-  folder.write(progress);  // whatever Slurm says below
+  folder.write(progress);  // written now, because the following calls of Slurm may throw
   if (missing.complete()) {
     results.require_whole_file();
     complete(folder, settings, progress.rows, missing.seen, array_lives, progress);
@@ -269,7 +243,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
       std::error_code none;
       if (has_batch) fs::remove(folder.known_before(progress.batches.size()), none);
       if (results::stored_plan(results::read_results(folder.plan().string())) != results::stored_plan(results))
-        folder.write_plan(results, REGISTA_VERSION);  // it was given more pairs
+        folder.write_plan(results, REGISTA_VERSION);  // the user has added pairs to the study
       submit_next(folder, settings, missing, progress.rows, progress);
       out.submitted = progress.batches.back().matches;
       out.plays = true;
@@ -282,14 +256,16 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
 }  // namespace
 
 std::string command_to_go_on(const StudyFolder& folder) {
-  return process::shell_line(std::vector<std::string>{"regista", "resume", folder.root().string()});
+  return process::shell_line({"regista", "resume", folder.root().string()});
 }
 
-std::string what_differs_here(const campaign::Job& planned) {
+std::string what_differs_here(study::Study& study) {
+  const std::vector<campaign::Job> planned = results::first_jobs(study);
+  if (planned.empty()) return {};
   std::vector<std::string> out;
-  if (campaign::input_of(planned, campaign::program_input) != campaign::program_hash())
+  if (campaign::input_of(planned.front(), campaign::program_input) != campaign::program_hash())
     out.emplace_back("its program is another");
-  if (campaign::input_of(planned, campaign::mathematics_input) != campaign::mathematics_fingerprint())
+  if (campaign::input_of(planned.front(), campaign::mathematics_input) != campaign::mathematics_fingerprint())
     out.emplace_back("its mathematics library or processor computes other numbers");
   return texts::join(out);
 }
@@ -305,7 +281,7 @@ std::vector<std::string> jobs_alive(const Progress& progress) {
 }
 
 void stop_study(const StudyFolder& folder) {
-  const Settings settings = folder.settings();  // else the folder is none of a study
+  const Settings settings = folder.settings();  // throws if the folder is no study folder
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
@@ -322,10 +298,7 @@ void stop_study(const StudyFolder& folder) {
 }
 
 void look_whether_it_is_over(const StudyFolder& folder, const results::Invocation& invocation) {
-  const auto something_is_left = [&folder] {
-    const std::vector<Course> all = courses(folder);
-    return std::ranges::any_of(all, &Course::ended);
-  };
+  const auto something_is_left = [&folder] { return std::ranges::any_of(task_progress(folder), &TaskProgress::ended); };
   try {
     int looks = 0;
     do {
@@ -336,17 +309,18 @@ void look_whether_it_is_over(const StudyFolder& folder, const results::Invocatio
                                 campaign::Journal::rollback);
         step(folder, results, false, invocation);
       }
-      // Who ended meanwhile met a file in use, and has left its matches to this process.
+      // Another task may have ended meanwhile. It found the file in use, so this process gathers its matches.
     } while (++looks < most_looks && something_is_left());
   } catch (const campaign::StoreInUse&) {
-    // Somebody else takes a step just now.
+    // Ignored: another process takes a step at present.
   } catch (const std::exception& error) {
-    command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));  // the next step looks
+    // The study continues: the next step tries again.
+    command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));
   }
 }
 
 Step take_step(const StudyFolder& folder, bool restart, const results::Invocation& invocation) {
-  folder.settings();  // else the folder is none of a study
+  folder.settings();  // throws if the folder is no study folder
   campaign::Store results = opened(folder);
   require_same_results_here(folder, results, invocation);
   const auto failed = [&](const std::string& why) {

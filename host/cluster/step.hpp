@@ -1,46 +1,47 @@
 // SPDX-License-Identifier: MIT
-// What is done between two batches of a study on a cluster: what tasks have played is gathered, and what the study
-// still needs is submitted. The job after an array takes such a step, and `regista gather`, and whoever waits for the
-// study. One at a time: who holds the study's file of results.
+// A step of a study on a cluster gathers the results of ended tasks and submits the matches that the study still needs.
+// Steps are taken by the job after a job array, by `regista gather`, and by a command that waits for the study. The
+// process that takes a step locks the study's file of results, so only one process at a time takes a step.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "cluster/parts.hpp"
 #include "cluster/study_folder.hpp"
-#include "results/invocation.hpp"
+#include "results/study_kind.hpp"
+#include "study/study.hpp"
 
 namespace regista::cluster {
 
 struct Step {
   Gathered gathered;
   Progress progress;
-  std::uint64_t submitted = 0;  // matches
-  std::uint64_t round = 0;      // matches that the study asks for at a time
-  bool plays = false;           // an array waits or runs
+  std::uint64_t submitted = 0;  // number of submitted matches
+  std::uint64_t round = 0;      // number of matches in the present round of the study
+  bool plays = false;           // true: a job array waits or runs
 };
 
-// restart: also where the study has been stopped or has failed. Throws BadInput, WriteError; then the study has failed,
-// and its folder says why, unless this machine is none that may take a step.
+// Takes a step. restart: continues a study that was stopped or has failed. Throws WriteError for a disk error. Throws
+// BadInput for other errors; most of these errors are stored in the folder as the failure of the study. If this machine
+// would compute other results, the function throws BadInput, and the study does not fail.
 Step take_step(const StudyFolder& folder, bool restart, const results::Invocation& invocation);
 
-// By a task that has ended: a test may have decided, and then nobody need wait for the rest of the array, which is
-// ended, this process too. Does nothing where somebody else takes a step.
+// A task calls this at its end, if its round may end early. Takes a step (see the top of this file), unless another
+// process takes one now. If a sequential test has decided, the step ends the job array and so also this process.
 void look_whether_it_is_over(const StudyFolder& folder, const results::Invocation& invocation);
 
 // Ends the jobs of the study. Throws BadInput, WriteError.
 void stop_study(const StudyFolder& folder);
 
-// Those of the study's jobs that wait or run, but for the one that this process is part of. Throws SlurmError.
+// Returns the jobs of the study that wait or run, except the job of this process. Throws SlurmError.
 std::vector<std::string> jobs_alive(const Progress& progress);
 
-// Why this machine would play other matches than those that were planned, and would want others next; empty: it would
-// not.
-std::string what_differs_here(const campaign::Job& planned);
+// Compares the program and the mathematics library of this machine with the planned study. Returns the differences,
+// which would change results, in words; empty if there are none. Runs the study, so the study must not run again.
+std::string what_differs_here(study::Study& study);
 
-// The line of the shell that goes on with the study.
+// Returns the shell command that continues the study.
 std::string command_to_go_on(const StudyFolder& folder);
 
 }  // namespace regista::cluster

@@ -1,32 +1,70 @@
 // SPDX-License-Identifier: MIT
 #include "cluster/study_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <optional>
-#include <stdexcept>
-#include <system_error>
 
-#include "campaign/document_copies.hpp"
-#include "cluster/shared_file.hpp"
-#include "config/bad_input.hpp"
-#include "output/output.hpp"
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include "campaign/stored_setup.hpp"
+#include "config/errors.hpp"
 #include "output/replaced_file.hpp"
+#include "process/file_descriptor.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
 namespace regista::cluster {
 
-// How these stand in cluster.json.
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TaskProgress, done, all, fresh, failed, seconds, ended, node)
+
+int read_once(const std::filesystem::path& file, std::string& out) {
+  out.clear();
+  const process::FileDescriptor opened(::open(file.c_str(), O_RDONLY | O_CLOEXEC));
+  if (opened.number == -1) return errno;
+  std::array<char, 65536> part;
+  for (;;) {
+    const ssize_t size = ::read(opened.number, part.data(), part.size());
+    if (size == 0) return 0;
+    if (size > 0)
+      out.append(part.data(), static_cast<std::size_t>(size));
+    else if (errno != EINTR)
+      return errno;
+  }
+}
+
+std::optional<std::string> shared_content(const std::filesystem::path& file, const ReadOnce& read,
+                                          std::chrono::milliseconds between_tries) {
+  constexpr int most_tries = 50;
+  std::string out;
+  for (int i = 1;; ++i) {
+    const int error = read(file, out);
+    if (error == 0) return out;
+    if (error == ENOENT || error == ENOTDIR) return std::nullopt;
+    if (error != ESTALE || i == most_tries) throw std::system_error(error, std::generic_category(), file.string());
+    std::this_thread::sleep_for(between_tries);
+  }
+}
+
+// Names of the states in cluster.json, in the order of the states.
+static constexpr std::array state_names{"running", "complete", "stopped", "failed"};
 static void to_json(nlohmann::json& json, Progress::State state) { json = name_of(state); }
 static void from_json(const nlohmann::json& json, Progress::State& out) {
-  using enum Progress::State;
-  for (const Progress::State each : {running, complete, stopped, failed}) {
-    if (json != name_of(each)) continue;
-    out = each;
-    return;
-  }
-  throw std::invalid_argument("no such state");
+  const auto found = std::ranges::find_if(state_names, [&](const char* each) { return json == each; });
+  if (found == state_names.end()) throw std::invalid_argument("no such state");
+  out = static_cast<Progress::State>(found - state_names.begin());
 }
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Settings, scheduler, tasks, matches, workers, partition, time, options, record_every,
                                    plugin_files)
@@ -40,7 +78,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using config::BadInput;
 
-constexpr int layout = 1;  // of the folder
+constexpr int layout = 1;  // version of the folder's layout
 
 std::optional<std::string> content_of(const fs::path& file) {
   try {
@@ -83,10 +121,6 @@ void write_description(const StudyFolder& folder, const Json& settings, const Js
   output::write_whole(folder.description(), all.dump(2, ' ', false, Json::error_handler_t::replace) + '\n', existing);
 }
 
-std::string name_of(const TaskName& task, const char* ending) {
-  return fmt::format("{}-{}{}", task.batch, task.task, ending);
-}
-
 void copy_whole(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::create_directories(to.parent_path(), error);
@@ -100,32 +134,11 @@ void copy_whole(const fs::path& from, const fs::path& to) {
 
 }  // namespace
 
-const char* name_of(Progress::State state) {
-  switch (state) {
-    case Progress::State::running:
-      return "running";
-    case Progress::State::complete:
-      return "complete";
-    case Progress::State::stopped:
-      return "stopped";
-    case Progress::State::failed:
-      break;
-  }
-  return "failed";
-}
+const char* name_of(Progress::State state) { return state_names.at(static_cast<std::size_t>(state)); }
 
 StudyFolder::StudyFolder(const fs::path& root) : root_(fs::absolute(root).lexically_normal()) {
   if (!root_.has_filename()) root_ = root_.parent_path();
 }
-
-fs::path StudyFolder::batch(std::uint64_t number) const { return root_ / "batches" / fmt::format("{}.json", number); }
-fs::path StudyFolder::known_before(std::uint64_t number) const {
-  return root_ / "batches" / fmt::format("{}.db", number);
-}
-fs::path StudyFolder::part(const TaskName& task) const { return parts() / name_of(task, ".db"); }
-fs::path StudyFolder::under_way(const TaskName& task) const { return parts() / name_of(task, ".db.part"); }
-fs::path StudyFolder::course(const TaskName& task) const { return parts() / name_of(task, ".txt"); }
-fs::path StudyFolder::refusal(const TaskName& task) const { return parts() / name_of(task, ".refused"); }
 
 void StudyFolder::create(const Settings& settings) const {
   const std::string name = texts::one_line(root_.string());
@@ -177,6 +190,208 @@ campaign::Job StudyFolder::of_copies(campaign::Job job, const fs::path& given_in
   out.plugin_files.clear();
   for (const std::string& each : settings.plugin_files) out.plugin_files.push_back(copy_of(each).string());
   return out;
+}
+
+namespace {
+
+constexpr const char *whole = ".db", *under_way = ".db.part", *progress_ending = ".txt", *refusal_ending = ".refused";
+
+struct Named {
+  TaskName task;
+  std::string ending;
+  fs::path path;
+};
+
+// Reads batch and task from a file name such as "12-3.db.part".
+std::optional<Named> named(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const char *at = name.data(), *const end = at + name.size();
+  Named out;
+  const auto batch = std::from_chars(at, end, out.task.batch);
+  if (batch.ec != std::errc() || batch.ptr == end || *batch.ptr != '-') return std::nullopt;
+  const auto task = std::from_chars(batch.ptr + 1, end, out.task.task);
+  if (task.ec != std::errc()) return std::nullopt;
+  out.ending.assign(task.ptr, end);
+  out.path = path;
+  return out;
+}
+
+std::vector<Named> files_of(const StudyFolder& folder, std::string_view ending) {
+  std::vector<Named> out;
+  std::error_code error;
+  for (fs::directory_iterator each(folder.parts(), error), end; !error && each != end; each.increment(error)) {
+    if (const auto found = named(each->path()); found && found->ending == ending) out.push_back(*found);
+  }
+  std::ranges::sort(out, {}, &Named::task);
+  return out;
+}
+
+void remove_with_journal(const fs::path& file) {
+  std::error_code none;
+  for (const char* each : {"", "-journal", "-wal", "-shm"}) fs::remove(file.string() + each, none);
+}
+
+// Returns the progress text of a task; empty if the file is unreadable at present.
+std::string told_in(const fs::path& file) {
+  try {
+    return shared_content(file).value_or("");
+  } catch (const std::system_error&) {
+    return {};
+  }
+}
+
+bool can_be_held(const fs::path& file) {
+  const process::FileDescriptor opened(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+  if (opened.number == -1 || process::lock_file(opened.number, process::FileLock::exclusive)) return false;
+  process::unlock_file(opened.number);
+  return true;
+}
+
+void set_aside(const StudyFolder& folder, const fs::path& file) {
+  std::error_code none;
+  fs::path to = folder.set_aside() / file.filename();
+  for (int i = 2; fs::exists(to, none); ++i)
+    to = folder.set_aside() / fmt::format("{}.{}", file.filename().string(), i);
+  fs::rename(file, to, none);
+  fs::rename(file.string() + "-journal", to.string() + "-journal", none);
+}
+
+class Gathering {
+ public:
+  Gathering(const StudyFolder& folder, campaign::Store& results, std::string version)
+      : folder_(folder), results_(results), version_(std::move(version)) {}
+
+  Gathered all(Tasks tasks) {
+    for (const Named& each : files_of(folder_, whole)) take(each, tasks);
+    if (tasks == Tasks::killed_too) {
+      for (const Named& each : files_of(folder_, under_way)) take(each, tasks);
+    }
+    for (const Named& each : files_of(folder_, refusal_ending)) take_refusal(each);
+    return std::move(out_);
+  }
+
+ private:
+  void remark(const Named& part, const std::string& what) {
+    out_.remarks.push_back(texts::one_line(fmt::format("{}: {}", part.path.filename().string(), what)));
+  }
+
+  void take(const Named& part, Tasks tasks) {
+    using campaign::Store;
+    try {
+      // The store is opened for writing, because this undoes half-written data of a killed task and detects a running
+      // task. The store stays open until its file has been moved away.
+      const Store store(part.path, Store::Mode::open, version_, campaign::Journal::rollback);
+      const campaign::Taken taken = taken_of(store);
+      out_.rows += taken.rows;
+      out_.refused += taken.refused;
+      std::error_code none;
+      fs::remove(folder_.progress(part.task), none);
+      if (taken.refused == 0) {
+        remove_with_journal(part.path);
+        return;
+      }
+      for (const std::string& each : taken.why) remark(part, each);
+      set_aside(folder_, part.path);
+    } catch (const campaign::StoreInUse&) {
+      ++out_.in_use;
+      if (tasks == Tasks::killed_too) remark(part, "a task that should have ended still holds it; it is taken later");
+    } catch (const campaign::StoreRefusal& error) {
+      if (!fs::exists(part.path)) return;  // the task has ended meanwhile and renamed the file
+      if (!can_be_held(part.path)) throw;  // a lock or permission is missing: the file may be valid
+      unreadable(part, error.what());
+    } catch (const campaign::StoreDiskError&) {
+      throw;
+    } catch (const campaign::StoreError& error) {
+      if (is_of_results(error)) throw;
+      unreadable(part, error.what());
+    }
+  }
+
+  campaign::Taken taken_of(const campaign::Store& store) {
+    if (store.meta("schedule").empty()) return {};  // the task was killed before it stored the plan of the study
+    if (store.meta("schedule") == results_.meta("schedule")) return results_.take(store);
+    campaign::Taken out;
+    out.refused = static_cast<std::uint64_t>(store.rows());
+    out.why.emplace_back("these are results of another study");
+    return out;
+  }
+
+  // Returns whether the error concerns the file of results, not a part.
+  bool is_of_results(const campaign::StoreError& error) const {
+    return std::string_view(error.what()).find(folder_.results().string()) != std::string_view::npos;
+  }
+
+  void unreadable(const Named& part, const char* why) {
+    remark(part, fmt::format("cannot be read, so that its matches are missing: {}", why));
+    std::error_code none;
+    fs::remove(folder_.progress(part.task), none);
+    set_aside(folder_, part.path);
+  }
+
+  void take_refusal(const Named& file) {
+    const std::string text = told_in(file.path);
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (json.is_object() && json.contains("node") && json.contains("why") && json["node"].is_string() &&
+        json["why"].is_string()) {
+      const std::string node = json["node"], why = json["why"];
+      out_.remarks.push_back(texts::one_line(fmt::format("node {} plays nothing: {}", node, why)));
+      if (std::ranges::find(out_.refused_nodes, node) == out_.refused_nodes.end()) out_.refused_nodes.push_back(node);
+    }
+    std::error_code none;
+    fs::remove(file.path, none);
+  }
+
+  const StudyFolder& folder_;
+  campaign::Store& results_;
+  std::string version_;
+  Gathered out_;
+};
+
+void replace(const fs::path& file, const std::string& text) {
+  const fs::path fresh = file.string() + ".new";
+  std::ofstream(fresh, std::ios::binary) << text;
+  std::error_code none;  // ignored: the file only informs people and is rewritten soon
+  fs::rename(fresh, file, none);
+}
+
+}  // namespace
+
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version) {
+  return Gathering(folder, results, program_version).all(tasks);
+}
+
+std::vector<TaskProgress> task_progress(const StudyFolder& folder) {
+  std::vector<TaskProgress> out;
+  for (const Named& each : files_of(folder, progress_ending)) {
+    try {
+      out.push_back(progress_from_json(told_in(each.path)));
+    } catch (const std::invalid_argument&) {
+      // Ignored: the task rewrites its file soon.
+    }
+  }
+  return out;
+}
+
+void write_refusal(const StudyFolder& folder, const TaskName& task, const std::string& node, const std::string& why) {
+  replace(folder.refusal(task), nlohmann::ordered_json{{"node", node}, {"why", why}}.dump(
+                                    -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+                                    '\n');
+}
+
+void write_progress(const StudyFolder& folder, const TaskName& task, const TaskProgress& progress) {
+  replace(folder.progress(task), to_json(progress));
+}
+
+std::string to_json(const TaskProgress& progress) {
+  return nlohmann::json(progress).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+TaskProgress progress_from_json(const std::string& text) {
+  try {
+    return nlohmann::json::parse(text).get<TaskProgress>();
+  } catch (const nlohmann::json::exception&) {
+    throw std::invalid_argument("no progress of a task");
+  }
 }
 
 }  // namespace regista::cluster

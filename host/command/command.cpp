@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "command/help_text.hpp"
-#include "config/bad_input.hpp"
+#include "command/options_declared.hpp"
+#include "config/errors.hpp"
 #include "texts/message.hpp"
 
 namespace regista::command {
@@ -17,24 +17,16 @@ namespace {
 using config::BadInput;
 
 constexpr auto help_command = "help";
-// The command that explains the others, with their names after it.
-CommandDeclaration help_on(const CommandDeclaration& program) {
-  const auto under = [](const auto& self, const CommandDeclaration& command, const std::string& parent,
-                        const std::string& name) -> CommandDeclaration {
-    CommandDeclaration out{name, parent + ' ' + name, command.about, {}, {}, {}};
-    for (const CommandDeclaration& each : command.commands) {
-      out.commands.push_back(self(self, each, out.full_name, each.name));
-    }
-    return out;
-  };
-  CommandDeclaration out = under(under, program, program.name, help_command);
-  out.about = "explain a command";
+
+// Returns the names of a command and its subcommands, as `help` accepts them.
+CommandDeclaration names_below(const CommandDeclaration& command, const std::string& parent, const std::string& name) {
+  CommandDeclaration out{name, parent + ' ' + name, command.about, {}, {}, {}};
+  for (const CommandDeclaration& each : command.commands)
+    out.commands.push_back(names_below(each, out.full_name, each.name));
   return out;
 }
 
-constexpr auto one_of_choices = "CHOICE";
-
-// Every option takes one value or none.
+// Returns the message for a wrong number of values. No option takes more than one value, and a flag takes none.
 std::string wrong_count(const CLI::ArgumentMismatch& error) {
   const std::string text = error.what(), option = text.substr(0, text.find_first_of(": "));
   if (text.find("flag override") != std::string::npos) return "--" + option + " takes no value";
@@ -50,13 +42,11 @@ Command::Command(CLI::App& app, const Command& parent, const std::string& name, 
 Command::~Command() = default;
 
 Command& Command::add(const std::string& name, const std::string& about) {
-  // At most one command, so that what follows it is never taken for another.
+  // At most one subcommand, so that CLI11 never reads a later word as another subcommand.
   app_.require_subcommand(0, 1);
   CLI::App& app = *app_.add_subcommand(name, about);
   return *commands_.emplace_back(new Command(app, *this, name, about));
 }
-
-void Command::hide() { hidden_ = true; }
 
 void Command::answer_version(const std::string& text) {
   declare(*app_.set_version_flag("--version", text), {{}, {}, "print the version", {}, {}});
@@ -82,31 +72,8 @@ void Command::take(const std::string& name, std::vector<std::string>& into, cons
   declare(option, {{}, type, help, {}, use, true});
 }
 
-void Command::choose(const std::string& name, std::string& into, std::vector<std::string> choices,
-                     const std::string& help) {
-  take(name, into, one_of_choices, help);
-  declared_.options.back().choices = std::move(choices);
-}
-
-void Command::choose(const std::string& name, std::vector<std::string>& into, std::vector<std::string> choices,
-                     const std::string& help) {
-  take(name, into, one_of_choices, help);
-  declared_.options.back().choices = std::move(choices);
-}
-
 void Command::flag(const std::string& name, bool& into, const std::string& help) {
   declare(*app_.add_flag(name, into)->disable_flag_override(), {{}, {}, help, {}, {}});
-}
-
-void Command::notes(const std::string& text) { declared_.notes = text; }
-
-std::vector<std::string> Command::names_of_commands() const {
-  std::vector<std::string> names;
-  for (const auto& each : commands_) {
-    if (!each->is_hidden()) names.push_back(each->declared_.name);
-  }
-  if (program_) names.push_back(help_command);
-  return names;
 }
 
 std::vector<output::GivenOption> Command::given() const {
@@ -123,31 +90,30 @@ CommandDeclaration Command::declaration() const {
   for (const auto& each : commands_) {
     if (!each->is_hidden()) out.commands.push_back(each->declaration());
   }
-  if (program_) out.commands.push_back(help_on(out));
+  if (!program_) return out;
+  CommandDeclaration help = names_below(out, out.name, help_command);
+  help.about = "explain a command";
+  out.commands.push_back(std::move(help));
   return out;
 }
 
-// The innermost command that was named.
+// Returns the innermost command that the words named.
 const Command& Command::chosen() const {
   const auto named = std::ranges::find_if(commands_, [](const auto& each) { return each->app_.parsed(); });
   return named == commands_.end() ? *this : (*named)->chosen();
 }
 
-// The line for a word that nothing takes.
+// Returns the message for a word that no option takes.
 std::string Command::not_expected(const std::string& word) const {
   if (word.size() > 1 && word.front() == '-') {
-    std::vector<std::string> names{"--help"};
-    for (const OptionDeclaration& each : declared_.options) {
-      if (!each.is_positional()) names.push_back(each.name());
-    }
-    return texts::unknown("option", word.substr(0, word.find('=')), declared_.full_name, names);
+    return texts::unknown("option", word.substr(0, word.find('=')), declared_.full_name, declared_.option_names());
   }
-  if (const auto known = names_of_commands(); !known.empty())
+  if (const auto known = declaration().command_names(); !known.empty())
     return texts::unknown("command", word, declared_.full_name, known);
   return fmt::format("unexpected argument {}; see: {} --help", texts::in_quotes(word), declared_.full_name);
 }
 
-// "; `regista experiment` has one": of an option that another command of the program takes.
+// Returns "; `regista experiment` has one" if subcommands have the option `word`; empty for none or more than three.
 std::string Command::elsewhere(const std::string& word) const {
   const std::string option = word.substr(0, word.find('='));
   std::vector<std::string> takers;
@@ -161,17 +127,14 @@ std::string Command::elsewhere(const std::string& word) const {
   return fmt::format("; {} {} one", texts::join(takers), takers.size() == 1 ? "has" : "have");
 }
 
-// An empty value is most often a variable of a script that was not set; a value that looks like an option is one whose
-// own value was forgotten.
+// Refuses an empty value, which is usually an unset variable of a script, and a value that begins with "--", which
+// usually means that the user forgot the value of the previous option.
 void Command::refuse_missing_values() const {
-  for (std::size_t i = 0; i < options_.size(); ++i) {
-    if (declared_.options[i].is_flag() || options_[i]->count() == 0) continue;
-    const std::string& name = declared_.options[i].name();
-    for (const std::string& value : options_[i]->results()) {
-      if (value.empty()) throw BadInput(fmt::format("{} needs a value", name));
-      if (value.starts_with("--")) {
-        throw BadInput(fmt::format("{} needs a value, and {} is an option", name, texts::in_quotes(value)));
-      }
+  for (const output::GivenOption& option : given()) {  // the value of a flag is "true"
+    for (const std::string& value : option.values) {
+      if (value.empty()) throw BadInput(fmt::format("{} needs a value", option.name));
+      if (value.starts_with("--"))
+        throw BadInput(fmt::format("{} needs a value, and {} is an option", option.name, texts::in_quotes(value)));
     }
   }
 }
@@ -181,7 +144,7 @@ Command::Typed Command::read(const std::vector<std::string>& words, std::size_t 
     return {nullptr, help_text(named(declaration(), {words.begin() + 1, words.end()}), width)};
   }
   try {
-    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants the last one first
+    app_.parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 expects the words in reverse order
   } catch (const CLI::CallForHelp&) {
     return {nullptr, help_text(chosen().declaration(), width)};
   } catch (const CLI::CallForVersion& version) {
@@ -197,8 +160,8 @@ Command::Typed Command::read(const std::vector<std::string>& words, std::size_t 
   const Command& command = chosen();
   command.refuse_missing_values();
   if (!command.run) {
-    throw BadInput(fmt::format("which command? There are: {}; see: {} --help", texts::join(command.names_of_commands()),
-                               command.declared_.full_name));
+    throw BadInput(fmt::format("which command? There are: {}; see: {} --help",
+                               texts::join(command.declaration().command_names()), command.declared_.full_name));
   }
   return {&command, {}};
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A command of the program and what it takes: declared here, read from the words that were typed. Only command.cpp
-// knows CLI11, whose headers cost the compiler four seconds in each file that includes them.
+// A command of the program: declares its options, and reads their values from the typed words. Only command.cpp
+// includes CLI11, because the headers of CLI11 cost the compiler four seconds in each file.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "command/declaration.hpp"
+#include "command/options_declared.hpp"
 #include "output/file_use.hpp"
 
 namespace CLI {
@@ -20,50 +21,48 @@ namespace regista::command {
 
 class Command {
  public:
-  // The program itself.
+  // Creates the program itself, the root of all commands.
   Command(const std::string& name, const std::string& about);
   ~Command();
-  Command(const Command&) = delete;
-  Command& operator=(const Command&) = delete;
 
-  // --- Declaring. What is taken is written to the variable when words are read; it must live until then. -----------
+  // --- Declarations. read() writes each value to the declared variable, which must exist until read() ends. ----------
 
-  // A command of this one, which owns it. A command that has commands does nothing itself.
+  // Adds a subcommand, which this command owns. A command with subcommands has no action of its own.
   Command& add(const std::string& name, const std::string& about);
-  void hide();                                   // from --help and from advice: it is for the program itself
-  void answer_version(const std::string& text);  // --version
+  void hide() { hidden_ = true; }                // leaves the command out of --help and advice: users do not type it
+  void answer_version(const std::string& text);  // declares --version, which prints `text`
 
-  // name: "--seed", "-o,--output", or "teams" for words that belong to no option. type: what --help calls the value.
-  // A list takes one word each time the option is given, or all words that belong to no option.
+  // name: "--seed", "-o,--output", or "teams" for words without an option. type: the name of the value in --help. A
+  // list gets one value each time the user gives the option; a list without an option gets all words.
   void take(const std::string& name, std::string& into, const std::string& type, const std::string& help,
             output::FileUse use = {});
   void take(const std::string& name, std::vector<std::string>& into, const std::string& type, const std::string& help,
             output::FileUse use = {});
-  // The same of a value for which there are only these choices; which it is, the command itself has to look at.
-  void choose(const std::string& name, std::string& into, std::vector<std::string> choices, const std::string& help);
-  void choose(const std::string& name, std::vector<std::string>& into, std::vector<std::string> choices,
-              const std::string& help);
+  // Declares a value with fixed choices. read() writes the choice as text, which the command must convert.
+  template <class Into>
+  void choose(const std::string& name, Into& into, std::vector<std::string> choices, const std::string& help) {
+    take(name, into, "CHOICE", help);
+    declared_.options.back().choices = std::move(choices);
+  }
   void flag(const std::string& name, bool& into, const std::string& help);
-  void notes(const std::string& text);  // at the end of --help: examples, exit codes; form: help_text.hpp
+  void notes(const std::string& text) {
+    declared_.notes = text;
+  }  // sets the last part of --help, for example exit codes; form: see filled()
 
-  // What the command does. Returns an exit code; throws what end_of_program.hpp knows to explain.
+  // The action of the command. Returns an exit code. May throw exceptions, which explain_current_exception() explains.
   std::function<int()> run;
 
-  // --- Reading -------------------------------------------------------------------------------------------------------
-
-  // The command that the words name, or what --help and --version answer.
+  // The command that the words name, or the answer to --help or --version.
   struct Typed {
     const Command* command = nullptr;
-    std::string answer;  // empty: the command is to be run
+    std::string answer;  // text to print; empty: the caller must run the command
   };
-  // words: without the program's name. width: of help, in columns. Only once, and by the program itself. Throws
-  // BadInput.
+  // words: without the program's name. width: columns of the help text. Call this function only once, and only on the
+  // root of all commands. Throws BadInput.
   Typed read(const std::vector<std::string>& words, std::size_t width);
 
-  // --- Looking -------------------------------------------------------------------------------------------------------
-
   std::vector<output::GivenOption> given() const;
-  CommandDeclaration declaration() const;  // with the commands that are not hidden
+  CommandDeclaration declaration() const;  // of this command and its subcommands, without hidden subcommands
   bool is_hidden() const { return hidden_; }
 
  private:
@@ -73,14 +72,13 @@ class Command {
   std::string not_expected(const std::string& word) const;
   std::string elsewhere(const std::string& word) const;
   void refuse_missing_values() const;
-  std::vector<std::string> names_of_commands() const;
 
-  std::unique_ptr<CLI::App> program_;  // of the program itself
+  std::unique_ptr<CLI::App> program_;  // null in a subcommand
   CLI::App& app_;
-  CommandDeclaration declared_;  // but for its commands
+  CommandDeclaration declared_;  // without the subcommands
   bool hidden_ = false;
   std::vector<std::unique_ptr<Command>> commands_;
-  std::vector<CLI::Option*> options_;  // as declared_.options
+  std::vector<CLI::Option*> options_;  // same order as declared_.options
 };
 
 }  // namespace regista::command

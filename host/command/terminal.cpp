@@ -1,17 +1,67 @@
 // SPDX-License-Identifier: MIT
 #include "command/terminal.hpp"
 
+#include <fmt/format.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <charconv>
+#include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <new>
 #include <string_view>
 #include <system_error>
 
+#include "config/node.hpp"
+#include "output/replaced_file.hpp"
+#include "plugin/fatal_signal.hpp"
+#include "texts/message.hpp"
+
 namespace regista::command {
+
+namespace {
+
+// Global variables, because a signal handler can use only global variables.
+volatile std::sig_atomic_t request = 0;  // number of the received signal; 0: no signal
+bool listening = false;
+std::array<char, 4096> words;
+std::size_t words_size = 0;
+constexpr std::array asking{SIGINT, SIGTERM, SIGHUP};
+
+void ask_to_stop(int signal_number) {
+  request = signal_number;
+  alarm(1);
+}
+
+void stop(int signal_number) {
+  if (request == 0) {  // another program sent SIGALRM to end this process
+    std::signal(signal_number, SIG_DFL);
+    raise(signal_number);
+    return;
+  }
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, words.data(), words_size);
+  _exit(exit_by_signal(request));
+}
+
+// Sets the handler of a signal. A signal that the program was started to ignore (nohup) stays ignored.
+void handle(int signal_number, void (*handler)(int), int flags = 0) {
+  struct sigaction now {
+  }, action{};
+  if (sigaction(signal_number, nullptr, &now) == 0 && now.sa_handler == SIG_IGN) return;
+  action.sa_handler = handler;
+  action.sa_flags = flags;
+  sigemptyset(&action.sa_mask);
+  sigaction(signal_number, &action, nullptr);
+}
+
+}  // namespace
 
 std::size_t columns_of_output() {
   winsize size{};
@@ -49,6 +99,68 @@ void RewrittenLine::show(const std::string& text) {
 void RewrittenLine::clear() {
   if (shown_) say("\r\x1b[K");
   shown_ = false;
+}
+
+Interruption::Interruption(std::string_view last_words) {
+  assert(!listening);
+  listening = true;
+  request = 0;
+  words_size = std::min(last_words.size(), words.size());
+  std::copy_n(last_words.data(), words_size, words.data());
+  handle(SIGALRM, stop);
+  // SA_RESETHAND: the second signal has its default effect.
+  for (const int each : asking) handle(each, ask_to_stop, static_cast<int>(SA_RESETHAND));
+}
+
+Interruption::~Interruption() {
+  alarm(0);
+  for (const int each : asking) handle(each, SIG_DFL);
+  handle(SIGALRM, SIG_DFL);
+  listening = false;
+}
+
+int Interruption::signal_number() const { return request; }
+
+void complain(std::string_view message) { say(fmt::format("regista: {}\n", texts::one_line(message))); }
+
+int explain_current_exception() {
+  try {
+    throw;
+  } catch (const BadInput& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const config::Error& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const plugin::Failure& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const Interrupted& error) {
+    complain(error.what());
+    return exit_by_signal(error.signal_number);
+  } catch (const output::ReaderGone&) {
+    return exit_by_signal(SIGPIPE);  // the reader closed the pipe on purpose, so no message
+  } catch (const output::WriteError& error) {
+    complain(error.what());
+    return exit_no;
+  } catch (const std::filesystem::filesystem_error& error) {
+    // Another program removed a folder while this program used the folder.
+    complain(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
+                         error.code().message()));
+    return exit_bad_input;
+  } catch (const std::bad_alloc&) {
+    complain("there is not enough memory");
+    return exit_no;
+  } catch (const std::system_error& error) {  // for example: the system's limit of open files is reached
+    complain(error.what());
+    return exit_no;
+  } catch (const std::exception& error) {
+    complain(fmt::format("internal error: {}", error.what()));
+    return exit_internal;
+  } catch (...) {
+    complain("internal error: something that is no exception was thrown");
+    return exit_internal;
+  }
 }
 
 }  // namespace regista::command

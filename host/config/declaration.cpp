@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "config/declaration.hpp"
 
-#include <fmt/format.h>
+#include <cassert>
+#include <iterator>
 
 #include "config/robot.hpp"
-#include "config/scalar.hpp"
 
 namespace regista::config {
 
-std::string range_text(Range range, const std::string& unit) {
-  return fmt::format("{} to {}{}{}", real_text(range.least), real_text(range.most),
-                     unit.empty() || unit == "1" ? "" : " ", unit == "1" ? "" : unit);
+std::vector<Field> joined(std::vector<Field> first, std::vector<Field> others) {
+  first.insert(first.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+  return first;
 }
 
 Field real(std::string key, Member<double> member, Range range, std::string unit, std::string doc) {
@@ -37,17 +37,8 @@ Field integer(std::string key, Member<std::int64_t> member, Range range, std::st
 }
 
 Field bounds(std::string key, double& least, double& largest, Range range, std::string unit, std::string doc) {
-  return {std::move(key), std::move(doc),
-          Numbers{2,
-                  [&least, &largest] {
-                    return std::vector<double*>{&least, &largest};
-                  },
-                  [] { return true; }, range, std::move(unit), true}};
-}
-
-Field bounds(std::string key, std::optional<std::array<double, 2>>& member, Range range, std::string unit,
-             std::string doc) {
-  return numbers(std::move(key), Member<std::array<double, 2>>(member), range, std::move(unit), std::move(doc), true);
+  const auto ends = [&least, &largest] { return std::vector<double*>{&least, &largest}; };
+  return {std::move(key), std::move(doc), Numbers{2, ends, [] { return true; }, range, std::move(unit), true}};
 }
 
 Field boolean(std::string key, Member<bool> member, std::string doc) {
@@ -72,6 +63,22 @@ Field paths(std::string key, std::vector<NamedPath>& members, std::string doc) {
 
 Field free(std::string key, Node& member, std::string definition, std::string doc) {
   return {std::move(key), std::move(doc), Free{&member, std::move(definition)}};
+}
+
+Field line(std::string key, std::string& text, std::string doc) {
+  const auto read = [&text](const Node& node, const std::string& what, Mistakes&) { text = to_line(node, what); };
+  return {std::move(key), std::move(doc),
+          Own{"line", read, [&text] { return text.empty() ? Node() : Node::scalar(text, true); }}};
+}
+
+Field lines(std::string key, std::vector<Node>& texts, std::string doc) {
+  const auto read = [&texts](const Node& node, const std::string& what, Mistakes& mistakes) {
+    const auto elements = elements_of(node, what, "a list of texts");
+    for (const Node& each : elements) mistakes.attempt(what, [&] { to_line(each, what); });
+    texts.assign(elements.begin(), elements.end());
+  };
+  return {std::move(key), std::move(doc),
+          Own{"lines", read, [&texts] { return texts.empty() ? Node() : Node::sequence(texts); }}};
 }
 
 }  // namespace regista::config

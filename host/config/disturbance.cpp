@@ -9,6 +9,7 @@
 #include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
+#include "config/team.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
@@ -17,113 +18,76 @@ namespace {
 using Kind = Incident::Kind;
 using Whom = Incident::Whom;
 
-constexpr int largest_number = 22;
 constexpr double longest = 1e6;  // s
+constexpr Range moments{0.0, longest};
 
 int robot_number(const Node& node, const std::string& what) {
-  const std::int64_t number = to_integer(node, what);
-  if (number < 1 || number > largest_number) {
-    throw Error(node.where(), fmt::format("{}: {} is outside 1 to {} robots", what, number, largest_number));
-  }
-  return static_cast<int>(number);
+  return static_cast<int>(integer_within(node, what, {1, 22}, "robots"));
 }
 
 Whom to_whom(const Node& node, const std::string& what, Mistakes& mistakes) {
-  Whom whom;
-  if (node.kind() == Node::Kind::scalar && (node.text() == "all" || node.text() == "any")) {
-    whom.choice = node.text() == "all" ? Whom::Choice::all : Whom::Choice::any;
-    return whom;
-  }
-  whom.choice = Whom::Choice::listed;
+  const bool scalar = node.kind() == Node::Kind::scalar;
+  if (scalar && node.text() == "all") return {Whom::Choice::all, {}};
+  if (scalar && node.text() == "any") return {Whom::Choice::any, {}};
+  Whom whom{Whom::Choice::listed, {}};
   if (node.kind() == Node::Kind::sequence) {
     if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; leave the incident out");
-    for (std::size_t i = 0; i < node.elements().size(); ++i) {
-      const Node& element = node.elements()[i];
-      const std::string path = fmt::format("{}.{}", what, i);
-      mistakes.attempt(path, [&] {
-        const int number = robot_number(element, path);
-        if (std::ranges::find(whom.numbers, number) != whom.numbers.end()) {
-          throw Error(element.where(), fmt::format("{}: {} stands there twice", what, number));
-        }
-        whom.numbers.push_back(number);
-      });
-    }
+    attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
+      const int number = robot_number(element, path);
+      if (std::ranges::find(whom.numbers, number) != whom.numbers.end()) {
+        throw Error(element.where(), fmt::format("{}: {} stands there twice", what, number));
+      }
+      whom.numbers.push_back(number);
+    });
     std::ranges::sort(whom.numbers);
     return whom;
   }
-  const bool number = node.kind() == Node::Kind::scalar && !node.text().empty() &&
-                      node.text().find_first_not_of("0123456789") == std::string::npos;
-  if (!number) refuse_kind(node, what, "all, any, a number or a list of numbers");
+  const bool number = !node.text().empty() && node.text().find_first_not_of("0123456789") == std::string::npos;
+  if (!scalar || !number) refuse_kind(node, what, "all, any, a number or a list of numbers");
   whom.numbers.push_back(robot_number(node, what));
   return whom;
 }
 
 Node written(const Whom& whom) {
-  if (whom.choice == Whom::Choice::all) return Node::scalar("all", false, {});
-  if (whom.choice == Whom::Choice::any) return Node::scalar("any", false, {});
-  std::vector<Node> numbers;
-  for (const int number : whom.numbers) numbers.push_back(Node::scalar(fmt::format("{}", number), false, {}));
-  return Node::sequence(std::move(numbers), {});
-}
-
-double moment(const Node& node, const std::string& what) {
-  const double time = to_real(node, what);
-  if (time < 0.0 || time > longest) {
-    throw Error(node.where(), fmt::format("{}: {} is outside 0 to {} s", what, texts::in_quotes(node.text()), longest));
-  }
-  return time;
+  if (whom.choice == Whom::Choice::all) return Node::scalar("all");
+  if (whom.choice == Whom::Choice::any) return Node::scalar("any");
+  return sequence_of(whom.numbers, [](int number) { return Node::scalar(fmt::format("{}", number)); });
 }
 
 std::vector<double> to_moments(const Node& node, const std::string& what, Mistakes& mistakes) {
-  if (node.kind() != Node::Kind::sequence) {
-    if (node.kind() != Node::Kind::scalar) refuse_kind(node, what, "a number of seconds or a list of them");
-    return {moment(node, what)};
-  }
+  if (node.kind() == Node::Kind::scalar) return {real_within(node, what, moments, "s")};
+  if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, "a number of seconds or a list of them");
   if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; leave the incident out");
   std::vector<double> times;
-  for (std::size_t i = 0; i < node.elements().size(); ++i) {
-    const std::string path = fmt::format("{}.{}", what, i);
-    mistakes.attempt(path, [&] {
-      times.push_back(moment(node.elements()[i], path));
-      if (times.size() > 1 && times.back() <= times[times.size() - 2]) {
-        throw Error(node.elements()[i].where(), what + ": the moments are not in their order");
-      }
-    });
-  }
+  attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
+    times.push_back(real_within(element, path, moments, "s"));
+    if (times.size() > 1 && times.back() <= times[times.size() - 2]) {
+      throw Error(element.where(), what + ": the moments are not in their order");
+    }
+  });
   return times;
 }
 
 Node written(const std::vector<double>& times) {
   if (times.empty()) return {};
-  std::vector<Node> elements;
-  for (const double time : times) elements.push_back(Node::scalar(real_text(time), false, {}));
-  return times.size() == 1 ? elements.front() : Node::sequence(std::move(elements), {});
+  const Node all = sequence_of(times, [](double time) { return Node::scalar(real_text(time)); });
+  return times.size() == 1 ? all.elements().front() : all;
 }
 
-Field robots_field(Whom& whom) {
-  return {"robots", "whom it strikes: all, any (one drawn anew each time), a number or a list of numbers",
-          Own{"robots",
-              [&whom](const Node& node, const std::string& what, Mistakes& mistakes) {
-                whom = to_whom(node, what, mistakes);
-              },
-              [&whom] { return written(whom); }}};
+template <class Value>
+Own own(std::string definition, Value& value, Value (*to_value)(const Node&, const std::string&, Mistakes&)) {
+  const auto read = [&value, to_value](const Node& node, const std::string& what, Mistakes& mistakes) {
+    value = to_value(node, what, mistakes);
+  };
+  return {std::move(definition), read, [&value] { return written(value); }};
 }
 
-Field at_field(std::vector<double>& at) {
-  return {"at", "s of match time when it begins, or a list of them",
-          Own{"moments",
-              [&at](const Node& node, const std::string& what, Mistakes& mistakes) {
-                at = to_moments(node, what, mistakes);
-              },
-              [&at] { return written(at); }}};
-}
-
-// The values that only some kinds have.
+// A value of incidents that not every kind of incident has.
 struct Value {
   std::string_view key;
   std::optional<double> Incident::*member;
-  std::vector<Kind> of;      // these
-  std::vector<Kind> needed;  // of which these cannot do without
+  std::vector<Kind> of;      // kinds that have the value
+  std::vector<Kind> needed;  // kinds that require the value
 };
 
 const std::vector<Value>& values() {
@@ -171,17 +135,17 @@ static Map declare(Disturbance::Camera& camera) {
 }
 
 static Map declare(Incident& incident) {
-  constexpr Range metres{-100, 100};
   return {.fields =
               {
                   name("name", incident.name, "of this incident, for paths"),
                   required(choice("kind", incident.kind, incident_kinds(), "what happens")),
-                  robots_field(incident.robots),
-                  at_field(incident.at),
+                  {"robots", "whom it strikes: all, any (one drawn anew each time), a number or a list of numbers",
+                   own("robots", incident.robots, to_whom)},
+                  {"at", "s of match time when it begins, or a list of them", own("moments", incident.at, to_moments)},
                   real("per_hour", incident.per_hour, {0, 36000}, "1/h", "how often on average; at random"),
-                  real("for", incident.duration, {0, longest}, "s", "how long; without it, to the end"),
-                  real("x", incident.x, metres, "m", "pose_bias: along the field; ghost_ball: where"),
-                  real("y", incident.y, metres, "m", "pose_bias: to the left; ghost_ball: where"),
+                  real("for", incident.duration, moments, "s", "how long; without it, to the end"),
+                  real("x", incident.x, coordinates, "m", "pose_bias: along the field; ghost_ball: where"),
+                  real("y", incident.y, coordinates, "m", "pose_bias: to the left; ghost_ball: where"),
                   degrees("heading_deg", incident.heading, {-180, 180}, "deg", "pose_bias: of the heading"),
                   real("delay", incident.delay, {0, 60}, "s", "radio_delay: of every packet"),
                   real("jitter", incident.jitter, {0, 60}, "s", "radio_jitter: width of a uniform law"),
@@ -215,11 +179,13 @@ std::string path_of(const Disturbance& disturbance, std::size_t incident) {
 }
 
 void check(const Disturbance& disturbance, const Node& document, Mistakes& mistakes) {
+  const Refusals wrong(document, mistakes);
   for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
     const Incident& incident = disturbance.incidents[i];
     const std::string path = fmt::format("incidents.{}", i), path_of_kind = path + ".kind";
+    const std::string named = path_of(disturbance, i);
     const std::string& kind = incident_kinds()[static_cast<std::size_t>(incident.kind)];
-    // Whose reason is the whole incident, whatever of it is there.
+    // The message points at the incident, because the incident lacks the key.
     const auto lacks = [&](std::string_view key, const std::string& reason) {
       const std::string missing = fmt::format("{}.{}", path, key);
       if (mistakes.doubtful(path_of_kind) || mistakes.doubtful(missing)) return;
@@ -228,40 +194,38 @@ void check(const Disturbance& disturbance, const Node& document, Mistakes& mista
     std::vector<std::string> known;
     bool any = false;
     for (const Value& value : values()) {
-      const bool belongs = among(value.of, incident.kind), there = (incident.*value.member).has_value();
-      if (belongs) known.emplace_back(value.key);
-      any = any || (belongs && (there || mistakes.doubtful(fmt::format("{}.{}", path, value.key))));
+      if (!among(value.of, incident.kind)) continue;
+      known.emplace_back(value.key);
+      any = any || incident.*value.member || mistakes.doubtful(fmt::format("{}.{}", path, value.key));
     }
     for (const Value& value : values()) {
       const bool there = (incident.*value.member).has_value();
       if (there && !among(value.of, incident.kind)) {
-        const std::string has = known.empty() ? "none of its own" : texts::join(known);
-        refuse(document, {fmt::format("{}.{}", path, value.key), path_of_kind},
-               fmt::format("{}: makes no sense for {}, whose values are: {}",
-                           path_of(disturbance, i) + '.' + std::string(value.key), kind, has),
-               mistakes);
+        wrong({fmt::format("{}.{}", path, value.key), path_of_kind},
+              "{}.{}: makes no sense for {}, whose values are: {}", named, value.key, kind,
+              known.empty() ? "none of its own" : texts::join(known));
       }
       if (!there && among(value.needed, incident.kind)) {
-        lacks(value.key, fmt::format("missing key \"{}\" in {}", value.key, path_of(disturbance, i)));
+        lacks(value.key, fmt::format("missing key \"{}\" in {}", value.key, named));
       }
     }
     if (incident.kind == Kind::pose_bias && !any) {
-      lacks("x", fmt::format("{}: by how much? expected {}", path_of(disturbance, i), texts::join(known)));
+      lacks("x", fmt::format("{}: by how much? expected {}", named, texts::join(known)));
     }
     if (incident.kind == Kind::ghost_ball && incident.x.has_value() != incident.y.has_value()) {
-      lacks(incident.x ? "y" : "x",
-            path_of(disturbance, i) + ": expected x and y, or neither for a place drawn at random");
+      lacks(incident.x ? "y" : "x", named + ": expected x and y, or neither for a place drawn at random");
     }
   }
 }
 
 void check(const Disturbance& disturbance, const Rules& rules, const Node& document) {
+  Mistakes first(Mistakes::After::stop);
+  const Refusals wrong(document, first);
   for (std::size_t i = 0; i < disturbance.incidents.size(); ++i) {
     for (const int number : disturbance.incidents[i].robots.numbers) {
       if (number <= rules.team_size) continue;
-      refuse(document, {fmt::format("incidents.{}.robots", i)},
-             fmt::format("disturbance {}: {} strikes robot {}, a team has {} robots", disturbance.name,
-                         path_of(disturbance, i), number, rules.team_size));
+      wrong({fmt::format("incidents.{}.robots", i)}, "disturbance {}: {} strikes robot {}, a team has {} robots",
+            disturbance.name, path_of(disturbance, i), number, rules.team_size);
     }
   }
   for (int number = 1; number <= rules.team_size; ++number) {
@@ -270,11 +234,11 @@ void check(const Disturbance& disturbance, const Rules& rules, const Node& docum
       const Incident& incident = disturbance.incidents[i];
       const bool listed = std::ranges::find(incident.robots.numbers, number) != incident.robots.numbers.end();
       if (incident.kind != Kind::ghost_ball) continue;
-      if (incident.robots.choice == Incident::Whom::Choice::listed && !listed) continue;
+      if (incident.robots.choice == Whom::Choice::listed && !listed) continue;
       if (++ghosts <= most_ghost_balls) continue;
-      refuse(document, {fmt::format("incidents.{}", i)},
-             fmt::format("disturbance {}: {} is one more than the {} ghost balls that can strike robot {}",
-                         disturbance.name, path_of(disturbance, i), most_ghost_balls, number));
+      wrong({fmt::format("incidents.{}", i)},
+            "disturbance {}: {} is one more than the {} ghost balls that can strike robot {}", disturbance.name,
+            path_of(disturbance, i), most_ghost_balls, number);
     }
   }
 }

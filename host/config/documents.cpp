@@ -6,16 +6,64 @@
 #include <algorithm>
 #include <array>
 
-#include "config/check.hpp"
-#include "config/overlay.hpp"
-#include "config/profiles.hpp"
-#include "config/read.hpp"
-#include "config/schema.hpp"
-#include "config/show.hpp"
-#include "config/team_page.hpp"
-#include "texts/nearest.hpp"
+#include "config/reference.hpp"
+#include "config/team_document.hpp"
+#include "texts/message.hpp"
 
 namespace regista::config {
+namespace {
+
+// A path of a study that begins with one of these keys leads into a document of the matches.
+constexpr std::array<std::string_view, 8> of_matches{"rules",    "robot",   "disturbance", "opponent_disturbance",
+                                                     "opponent", "opening", "home",        "away"};
+
+bool is_of_a_match(std::string_view path, const Map& study) {
+  const std::string_view first = path.substr(0, path.find('.'));
+  const bool of_match = std::ranges::find(of_matches, first) != of_matches.end();
+  if (of_match && first.size() < path.size()) return true;
+  if (std::ranges::find(study.fields, first, &Field::key) != study.fields.end()) return false;
+  // If neither the team nor the study has the key, the message is about the document with the most similar key.
+  const auto distance = [first](const Map& declared) {
+    std::size_t least = first.size();
+    for (const Field& each : declared.fields) least = std::min(least, texts::edit_distance(first, each.key));
+    return least;
+  };
+  const bool letter = first.size() == 1 && (first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z';
+  TeamDocument page;
+  return letter || of_match || distance(declare(page)) < distance(study);
+}
+
+// Returns the study's document with the override added to its map `set`, whose keys are paths.
+Node set_in(const Node& document, const Override& override) {
+  const Node set = document["set"];
+  if (set && set.kind() != Node::Kind::map) return document;  // the reader reports this mistake
+  const auto others = [](const Node& map, std::string_view key) {
+    std::vector<Node::Entry> entries(map.entries().begin(), map.entries().end());
+    std::erase_if(entries, [&](const Node::Entry& each) { return each.key == key; });
+    return entries;
+  };
+  std::vector<Node::Entry> entries = others(document, "set"), settings = others(set, override.path);
+  settings.push_back({override.path, override.where, override.value});
+  entries.push_back({"set", override.where, Node::map(std::move(settings), set ? set.where() : override.where)});
+  return Node::map(std::move(entries), document.where());
+}
+
+// Returns a copy of the document in which the value of the option replaces the old value. A null removes the old value.
+Node replaced(const Node& document, const Override& option) {
+  const Node before = value_at(document, option.path);
+  const bool removes = option.value.kind() == Node::Kind::null;
+  // A null does not remove the value of another option. The reader then reports that the two options conflict.
+  if (before && removes && before.where().is_laid()) return document;
+  const Node without = before ? with(document, option.path, Node::null(option.where), option.where) : document;
+  return removes ? without : with(without, option.path, option.value, option.where);
+}
+
+std::string with_article(const DocumentKind& kind) {
+  const bool vowel = std::string_view("aeiou").find(kind.name.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", kind.name);
+}
+
+}  // namespace
 
 constinit const DocumentKind DocumentKind::rules = document_kind<Rules>(
     "rules", "The game: field, ball, durations, penalties, messages. Key `rules`; the default is `spl2023`.");
@@ -28,15 +76,14 @@ constinit const DocumentKind DocumentKind::opening =
 constinit const DocumentKind DocumentKind::team{
     "team",
     "A strategy: which plugins, which roles, which weights. Key `team`. [writing-a-team.md](writing-a-team.md) goes "
-    "from "
-    "an empty file to a team.",
+    "from an empty file to a team.",
     [](const Use& use) {
-      TeamPage page;
+      TeamDocument page;
       use(declare(page));
     },
     [](const Node& document, Mistakes& mistakes, const Use& use) {
-      read_document<Team>(document, mistakes);  // checks the contexts too, which the page alone does not
-      TeamPage page = read_team_page(document, mistakes);
+      read_document<Team>(document, mistakes);  // also checks the contexts; read_team_document() does not
+      TeamDocument page = read_team_document(document, mistakes);
       use(declare(page));
     }};
 constinit const DocumentKind DocumentKind::predictor_study = document_kind<PredictorStudy>(
@@ -55,18 +102,8 @@ std::span<const DocumentKind> document_kinds() {
   return kinds;
 }
 
-std::string document_kind_names(std::string_view before_last) {
-  const std::span<const DocumentKind> kinds = document_kinds();
-  std::string out;
-  for (const DocumentKind& each : kinds) {
-    if (&each != &kinds.front()) out += &each == &kinds.back() ? fmt::format(" {} ", before_last) : ", ";
-    out += each.name;
-  }
-  return out;
-}
-
 const DocumentKind& kind_of(const Node& document) {
-  // Studies name a team, rules and more; a team has a key `roles` and may one day have one of the others.
+  // The order matters: studies have keys such as `team` and `rules`, and a team has the key `roles`.
   for (const DocumentKind* const kind :
        {&DocumentKind::tournament, &DocumentKind::experiment, &DocumentKind::tuning, &DocumentKind::team}) {
     if (document[kind->name]) return *kind;
@@ -74,12 +111,11 @@ const DocumentKind& kind_of(const Node& document) {
   for (const DocumentKind& each : document_kinds()) {
     if (document[each.name]) return each;
   }
-  throw Error(document.where(), fmt::format("no key says what this is: {}, with its name", document_kind_names("or")));
-}
-
-static std::string with_article(const DocumentKind& kind) {
-  const bool vowel = std::string_view("aeiou").find(kind.name.front()) != std::string_view::npos;
-  return fmt::format("{} {}", vowel ? "an" : "a", kind.name);
+  std::vector<std::string> names = texts::names_of(document_kinds(), &DocumentKind::name);
+  const std::string last = std::move(names.back());
+  names.pop_back();
+  throw Error(document.where(),
+              fmt::format("no key says what this is: {} or {}, with its name", texts::join(names), last));
 }
 
 void require_kind(const Node& document, const DocumentKind& kind) {
@@ -113,60 +149,6 @@ std::string show(const std::filesystem::path& file, const Overrides& overrides,
                  std::span<const PluginDeclaration> plugins) {
   return show(load(file, overrides), plugins);
 }
-
-namespace {
-
-// What stands before the first dot of a path that is of a match's documents, whatever the study is.
-constexpr std::array<std::string_view, 8> of_matches{"rules",    "robot",   "disturbance", "opponent_disturbance",
-                                                     "opponent", "opening", "home",        "away"};
-
-bool is_of_a_match(std::string_view path, const Map& study) {
-  const std::string_view first = path.substr(0, path.find('.'));
-  const bool is_inside = first.size() < path.size();
-  const auto has = [first](const Map& declared) {
-    return std::ranges::find(declared.fields, first, &Field::key) != declared.fields.end();
-  };
-  if (std::ranges::find(of_matches, first) != of_matches.end() && is_inside) return true;
-  if (has(study)) return false;
-  // A key that neither has is taken for the nearer one.
-  TeamPage page;
-  const auto distance = [first](const Map& declared) {
-    std::size_t least = first.size();
-    for (const Field& each : declared.fields) least = std::min(least, texts::edit_distance(first, each.key));
-    return least;
-  };
-  const bool letter = first.size() == 1 && (first[0] | 0x20) >= 'a' && (first[0] | 0x20) <= 'z';
-  return letter || std::ranges::find(of_matches, first) != of_matches.end() ||
-         distance(declare(page)) < distance(study);
-}
-
-// The same as one of the values of the study's `set`, whose keys are paths.
-Node set_in(const Node& document, const Override& override) {
-  std::vector<Node::Entry> entries, settings;
-  for (const Node::Entry& each : document.entries()) {
-    if (each.key != "set") entries.push_back(each);
-  }
-  const Node set = document["set"];
-  if (set && set.kind() != Node::Kind::map) return document;  // a mistake, which the reader reports
-  for (const Node::Entry& each : set.entries()) {
-    if (each.key != override.path) settings.push_back(each);
-  }
-  settings.push_back({override.path, override.where, override.value});
-  entries.push_back({"set", override.where, Node::map(std::move(settings), set ? set.where() : override.where)});
-  return Node::map(std::move(entries), document.where());
-}
-
-// Another value, or none.
-Node replaced(const Node& document, const Override& option) {
-  const Node before = value_at(document, option.path);
-  const bool there = static_cast<bool>(before);
-  // What another option has laid there stays: the two contradict each other, which the reader says.
-  if (there && option.value.kind() == Node::Kind::null && before.where().is_laid()) return document;
-  const Node without = there ? with(document, option.path, Node::null(option.where), option.where) : document;
-  return option.value.kind() == Node::Kind::null ? without : with(without, option.path, option.value, option.where);
-}
-
-}  // namespace
 
 Node requested(const StudyRequest& request, const DocumentKind& kind) {
   Node document;

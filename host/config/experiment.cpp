@@ -4,11 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <optional>
 
-#include "config/file.hpp"
-#include "config/line.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "texts/message.hpp"
@@ -16,7 +12,7 @@
 namespace regista::config {
 namespace {
 
-Node sequence_of(const std::vector<Node>& elements) { return elements.empty() ? Node() : Node::sequence(elements, {}); }
+Node list_of(const std::vector<Node>& elements) { return elements.empty() ? Node() : Node::sequence(elements); }
 
 std::optional<double> number_of(const Node& node) {
   if (node.kind() != Node::Kind::scalar || node.quoted()) return std::nullopt;
@@ -27,7 +23,7 @@ std::optional<double> number_of(const Node& node) {
   }
 }
 
-// However it is written: 0.1 and 1e-1 are one value.
+// Returns whether two nodes are equal. Numbers are compared by value: 0.1 and 1e-1 are equal.
 bool same_value(const Node& a, const Node& b) {
   const auto number = number_of(a), other = number_of(b);
   if (number && other) return *number == *other;
@@ -43,38 +39,33 @@ void check_value(const std::vector<Node>& values, std::size_t i, const std::stri
 }
 
 Field values(std::string key, std::vector<Node>& values, std::string doc) {
-  return {std::move(key), std::move(doc),
-          Own{"values",
-              [&values](const Node& node, const std::string& what, Mistakes& mistakes) {
-                const auto elements = elements_of(node, what, "a list of values");
-                values.assign(elements.begin(), elements.end());
-                for (std::size_t i = 0; i < values.size(); ++i) {
-                  mistakes.attempt(what, [&] { check_value(values, i, what); });
-                }
-              },
-              [&values] { return sequence_of(values); }}};
+  const auto read_values = [&values](const Node& node, const std::string& what, Mistakes& mistakes) {
+    const auto elements = elements_of(node, what, "a list of values");
+    values.assign(elements.begin(), elements.end());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      mistakes.attempt(what, [&] { check_value(values, i, what); });
+    }
+  };
+  return {std::move(key), std::move(doc), Own{"values", read_values, [&values] { return list_of(values); }}};
 }
 
 Field pairs(std::string key, std::vector<Node>& pairs, std::string doc) {
-  return {std::move(key), std::move(doc),
-          Own{"pairs",
-              [&pairs](const Node& node, const std::string& what, Mistakes& mistakes) {
-                for (const Node& each : elements_of(node, what, "a list of pairs")) {
-                  mistakes.attempt(what, [&] {
-                    if (each.kind() != Node::Kind::sequence || each.elements().size() != 2) {
-                      refuse_kind(each, what, "a list of two names");
-                    }
-                    for (const Node& name : each.elements()) to_line(name, what);
-                    pairs.push_back(each);
-                  });
-                }
-              },
-              [&pairs] { return sequence_of(pairs); }}};
+  const auto read_pairs = [&pairs](const Node& node, const std::string& what, Mistakes& mistakes) {
+    for (const Node& each : elements_of(node, what, "a list of pairs")) {
+      mistakes.attempt(what, [&] {
+        if (each.kind() != Node::Kind::sequence || each.elements().size() != 2) {
+          refuse_kind(each, what, "a list of two names");
+        }
+        for (const Node& name : each.elements()) to_line(name, what);
+        pairs.push_back(each);
+      });
+    }
+  };
+  return {std::move(key), std::move(doc), Own{"pairs", read_pairs, [&pairs] { return list_of(pairs); }}};
 }
 
 void require_arm(const Experiment& experiment, const Node& name) {
-  std::vector<std::string> known;
-  for (const Experiment::Arm& arm : experiment.arms) known.push_back(arm.name);
+  const std::vector<std::string> known = texts::names_of(experiment.arms, &Experiment::Arm::name);
   if (std::ranges::find(known, name.text()) != known.end()) return;
   throw Error(name.where(), "primary.compare: " + texts::unknown("arm", name.text(), "", known));
 }
@@ -103,32 +94,29 @@ void check_compared(const Experiment& experiment, Mistakes& mistakes) {
 }  // namespace
 
 static Map declare(Experiment::Arm& arm) {
-  return {.fields =
-              {
-                  required(line("name", arm.name, "what it is called in every table")),
-                  file("team", arm.team, "the team that plays; without it that of the experiment"),
-                  free("set", arm.set, "settings", "values laid over documents, by path"),
-              },
-          .where = &arm.where};
+  return {{
+              required(line("name", arm.name, "what it is called in every table")),
+              file("team", arm.team, "the team that plays; without it that of the experiment"),
+              free("set", arm.set, "settings", "values laid over documents, by path"),
+          },
+          &arm.where};
 }
 
 static Map declare(Experiment::Sweep& sweep) {
-  return {.fields =
-              {
-                  required(line("path", sweep.path, "of the value that is varied")),
-                  required(values("values", sweep.values, "that it takes, each with every arm")),
-              },
-          .where = &sweep.where};
+  return {{
+              required(line("path", sweep.path, "of the value that is varied")),
+              required(values("values", sweep.values, "that it takes, each with every arm")),
+          },
+          &sweep.where};
 }
 
 static Map declare(Experiment::Primary& primary) {
-  return {.fields =
-              {
-                  required(line("measure", primary.measure, "number of a match that the test is about")),
-                  pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
-                  choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
-              },
-          .where = &primary.where};
+  return {{
+              required(line("measure", primary.measure, "number of a match that the test is about")),
+              pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
+              choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
+          },
+          &primary.where};
 }
 
 Map declare(Experiment& experiment) {
@@ -144,7 +132,8 @@ Map declare(Experiment& experiment) {
                    "of the game's clock for each arm (Playing is less)"),
               integer("matches", experiment.matches, {2, 1000000}, "1",
                       "for each arm, an even number: half at home, half away"),
-              integer("seed", experiment.seed, {0, largest_seed}, "1", "of the first pair of matches"),
+              integer("seed", experiment.seed, {0, largest_seed}, "1",
+                      "of the pairs of matches; the same seed plays the same"),
               profile("disturbance", experiment.disturbance, "none", "of the arm's team; `none` is built in"),
               profile("opponent_disturbance", experiment.opponent_disturbance, "none", "of the opponent"),
               section("sweep", experiment.sweep, "a value that is varied"),
@@ -167,9 +156,8 @@ void check(const Experiment& experiment, const Node& document, Mistakes& mistake
                  team);
   }
   if (experiment.matches && *experiment.matches % 2 != 0) {
-    refuse(document, {"matches"},
-           fmt::format("matches: {} is odd; half of them are played at home, half away", *experiment.matches),
-           mistakes);
+    Refusals(document, mistakes)({"matches"}, "matches: {} is odd; half of them are played at home, half away",
+                                 *experiment.matches);
   }
   if (experiment.primary) check_compared(experiment, mistakes);
 }

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// An experiment as its YAML page says it: teams ("arms") that differ in what is asked about, one common opponent, how
-// much is played, what is measured, and which test decides. Values only; nothing is opened or played here. The form is
-// that of section 4 of Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot Soccer
-// Environment with Limited Communication", 2023: arms x 60 minutes of play.
+// The values of an experiment document: teams to compare ("arms"), one opponent for all arms, the amount of play, the
+// measures, and the statistical test. This file only holds values; it opens no files and plays no matches. The study
+// follows section 4 of Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot
+// Soccer Environment with Limited Communication", 2023: 60 minutes of play for each arm.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -17,27 +16,27 @@
 namespace regista::config {
 
 enum class PairedTest {
-  paired_t,   // Student's t on the differences of pairs
-  sign_flip,  // all signs that the differences of pairs could as well have had
+  paired_t,   // Student's t test on the differences of pairs of matches
+  sign_flip,  // permutation test that changes the signs of the differences
 };
 
-// What the experiment decides on; all else is described, not tested.
+// The measure that the statistical test uses, and the arms that it compares. All other measures are only described.
 struct ExperimentPrimary {
   std::string measure;
-  std::vector<Node> compare;  // each a list of two names of arms; empty: every two arms
-  PairedTest test = PairedTest::paired_t;
+  std::vector<Node> compare;  // each element is a list of two arm names; empty: every pair of arms
+  PairedTest test = PairedTest::sign_flip;
   Location where;
 };
 
 struct Experiment {
   struct Arm {
     std::string name;
-    std::string team;  // file; empty: that of the experiment
-    Node set;          // map from paths to values, or absent
+    std::string team;  // file; empty: the team of the experiment
+    Node set;          // values that this arm changes, as a map from paths to values, or absent
     Location where;
   };
 
-  // Every arm is played at every value.
+  // A value that is varied. Every arm plays with each of `values` at `path`.
   struct Sweep {
     std::string path;
     std::vector<Node> values;
@@ -48,13 +47,13 @@ struct Experiment {
 
   std::string name, question;
   std::vector<Arm> arms;
-  std::string team, opponent;     // files; team: of arms that name none
-  std::optional<double> minutes;  // of the game's clock for each arm and value
-  std::optional<int> matches;     // for each arm and value, even
+  std::string team, opponent;     // files; `team` is the team of all arms that name no team
+  std::optional<double> minutes;  // minutes of game clock for each arm and each value of the sweep
+  std::optional<int> matches;     // even number of matches for each arm and each value of the sweep
   std::int64_t seed = 1;
-  std::string disturbance, opponent_disturbance;  // files; of the arm's team, of its opponent; empty: none
+  std::string disturbance, opponent_disturbance;  // files for the arm's team and for the opponent; empty: none
   std::optional<Sweep> sweep;
-  std::vector<Node> measures;  // paths of numbers of a match; empty: the usual ones
+  std::vector<Node> measures;  // paths of numbers in the result of a match; empty: the default measures
   std::optional<Primary> primary;
   double confidence = 0.95;
   MatchSettings settings;
@@ -62,7 +61,7 @@ struct Experiment {
 
 Map declare(Experiment& experiment);
 
-// Tells of values of the document that are sound one by one, but not together.
+// Reports values of the document that are valid alone but contradict each other.
 void check(const Experiment& experiment, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "config/match_settings.hpp"
 
-#include <iterator>
 #include <utility>
-
-#include "config/line.hpp"
 
 namespace regista::config {
 
@@ -28,6 +25,9 @@ std::vector<Field> fields_of(MatchSettings& settings, std::string set) {
       paths("openings", settings.openings, "scenes that matches start from: files, or folders of them"),
       real("limit", settings.limit, {0.1, 1e6}, "s", "after which each match ends"),
       free("set", settings.set, "settings", std::move(set)),
+      choice("seeds", settings.seeds, {"hashed", "consecutive"},
+             "of pairs of matches: hashed: from a hash of `seed` on, so that studies with other seeds share no match; "
+             "consecutive: from `seed` itself on, as older studies had them"),
       section("limits", settings.limits, "what a match may use up; a plugin that takes more forfeits it"),
       without_effect(choice("isolation", settings.isolation, {"after-death", "always"},
                             "after-death: a match that died is played again with each team in a process of its own; "
@@ -41,11 +41,6 @@ std::vector<Field> fields_of(MatchSettings& settings, std::string set) {
                            "of a study that was played before: its program, plugins and profiles with their hashes; "
                            "what is another now is reported before the first match")),
   };
-}
-
-std::vector<Field> joined(std::vector<Field> first, std::vector<Field> others) {
-  first.insert(first.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
-  return first;
 }
 
 }  // namespace regista::config

@@ -8,74 +8,40 @@
 #include <cstdint>
 #include <numeric>
 
-#include "texts/message.hpp"
-
 namespace regista::config {
-
-std::string to_string(const Location& where) {
-  if (where.line == 0) return where.file;
-  return fmt::format("{}:{}:{}", where.file, where.line, where.column);
-}
-
-Error::Error(Location where, const std::string& message)
-    : std::runtime_error(texts::one_line(to_string(where) + ": " + message)),
-      where_(std::move(where)),
-      before_message_(texts::one_line(to_string(where_) + ": ").size()) {}
 
 struct Node::Data {
   Kind kind = Kind::null;
   Location where;
-  std::string text;
+  std::string text = {};
   bool quoted = false;
-  std::vector<Node> elements;
-  std::vector<Entry> entries;
-  std::vector<std::uint32_t> by_key;  // indices of entries, sorted by key: a large map costs no more than a small one
+  std::vector<Node> elements = {};
+  std::vector<Entry> entries = {};
+  // Indices of the map's entries, sorted by key, for fast search in a large map.
+  std::vector<std::uint32_t> by_key = {};
 };
 
+Node::Node(Data data) : data_(std::make_shared<const Data>(std::move(data))) {}
+
 Node Node::scalar(std::string text, bool quoted, Location where) {
-  auto data = std::make_shared<Data>();
-  data->kind = Kind::scalar;
-  data->where = std::move(where);
-  data->text = std::move(text);
-  data->quoted = quoted;
-  Node node;
-  node.data_ = std::move(data);
-  return node;
+  return Node({.kind = Kind::scalar, .where = std::move(where), .text = std::move(text), .quoted = quoted});
 }
 
 Node Node::sequence(std::vector<Node> elements, Location where) {
-  auto data = std::make_shared<Data>();
-  data->kind = Kind::sequence;
-  data->where = std::move(where);
-  data->elements = std::move(elements);
-  Node node;
-  node.data_ = std::move(data);
-  return node;
+  return Node({.kind = Kind::sequence, .where = std::move(where), .elements = std::move(elements)});
 }
 
 Node Node::map(std::vector<Entry> entries, Location where) {
-  auto data = std::make_shared<Data>();
-  data->kind = Kind::map;
-  data->where = std::move(where);
-  data->entries = std::move(entries);
-  const std::vector<Entry>& all = data->entries;
-  data->by_key.resize(all.size());
-  std::iota(data->by_key.begin(), data->by_key.end(), 0u);
-  std::sort(data->by_key.begin(), data->by_key.end(), [&](auto a, auto b) { return all[a].key < all[b].key; });
-  assert(std::adjacent_find(data->by_key.begin(), data->by_key.end(),
-                            [&](auto a, auto b) { return all[a].key == all[b].key; }) == data->by_key.end());
-  Node node;
-  node.data_ = std::move(data);
-  return node;
+  Data data{.kind = Kind::map, .where = std::move(where), .entries = std::move(entries)};
+  const auto key = [&](std::uint32_t i) -> const std::string& { return data.entries[i].key; };
+  data.by_key.resize(data.entries.size());
+  std::iota(data.by_key.begin(), data.by_key.end(), 0u);
+  std::ranges::sort(data.by_key, {}, key);
+  assert(std::ranges::adjacent_find(data.by_key, {}, key) == data.by_key.end());
+  return Node(std::move(data));
 }
 
-Node Node::null(Location where) {
-  auto data = std::make_shared<Data>();
-  data->where = std::move(where);
-  Node node;
-  node.data_ = std::move(data);
-  return node;
-}
+Node Node::null(Location where) { return Node({.where = std::move(where)}); }
 
 Node::Kind Node::kind() const { return data_ ? data_->kind : Kind::absent; }
 
@@ -100,38 +66,97 @@ std::span<const Node::Entry> Node::entries() const {
 Node Node::operator[](std::string_view key) const {
   if (kind() != Kind::map) return {};
   const std::vector<Entry>& all = data_->entries;
-  const auto found = std::lower_bound(data_->by_key.begin(), data_->by_key.end(), key,
-                                      [&](std::uint32_t i, std::string_view wanted) { return all[i].key < wanted; });
-  if (found == data_->by_key.end() || all[*found].key != key) return {};
-  return all[*found].value;
+  const auto found =
+      std::ranges::lower_bound(data_->by_key, key, {}, [&](std::uint32_t i) -> std::string_view { return all[i].key; });
+  return found == data_->by_key.end() || all[*found].key != key ? Node() : all[*found].value;
 }
 
 Node Node::laid() const {
   if (!data_) return {};
-  auto data = std::make_shared<Data>(*data_);
-  data->where.laid = true;
-  for (Node& each : data->elements) each = each.laid();
-  for (Entry& each : data->entries) {
+  Data data = *data_;
+  data.where.laid = true;
+  for (Node& each : data.elements) each = each.laid();
+  for (Entry& each : data.entries) {
     each.key_where.laid = true;
     each.value = each.value.laid();
   }
-  Node node;
-  node.data_ = std::move(data);
-  return node;
+  return Node(std::move(data));
 }
 
 bool same(const Node& a, const Node& b) {
   if (a.data_ == b.data_) return true;
-  if (a.kind() != b.kind() || a.text() != b.text()) return false;
-  if (a.elements().size() != b.elements().size() || a.entries().size() != b.entries().size()) return false;
-  for (std::size_t i = 0; i < a.elements().size(); ++i) {
-    if (!same(a.elements()[i], b.elements()[i])) return false;
+  if (a.kind() != b.kind() || a.text() != b.text() || a.entries().size() != b.entries().size()) return false;
+  return std::ranges::equal(a.elements(), b.elements(), same) &&
+         std::ranges::all_of(a.entries(), [&](const Node::Entry& entry) {
+           const Node other = b[entry.key];
+           return other && same(entry.value, other);
+         });
+}
+
+namespace {
+
+bool plain(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
+         c == '+' || c == '-';
+}
+
+}  // namespace
+
+std::string flow_text(std::string_view text, bool quoted) {
+  const bool readable = !text.empty() && std::all_of(text.begin(), text.end(), plain);
+  const bool marker = text.starts_with("-") && (text.size() == 1 || text == "---");
+  const bool null = text == "null" || text == "Null" || text == "NULL" || text == "...";
+  if (!quoted && readable && !marker && !null) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (byte < 0x20 || byte == 0x7f) {
+      out += fmt::format("\\x{:02x}", byte);
+    } else {
+      out += c;
+    }
   }
-  for (const Node::Entry& entry : a.entries()) {
-    const Node other = b[entry.key];
-    if (!other || !same(entry.value, other)) return false;
+  return out + '"';
+}
+
+std::string flow(const Node& node) {
+  std::string out;
+  switch (node.kind()) {
+    case Node::Kind::scalar:
+      return flow_text(node.text(), node.quoted());
+    case Node::Kind::sequence:
+      for (const Node& element : node.elements()) out += (out.empty() ? "" : ", ") + flow(element);
+      return '[' + out + ']';
+    case Node::Kind::map:
+      for (const Node::Entry& entry : node.entries()) {
+        out += fmt::format("{}{}: {}", out.empty() ? "" : ", ", flow_text(entry.key, false), flow(entry.value));
+      }
+      return '{' + out + '}';
+    default:
+      return "~";
   }
-  return true;
+}
+
+std::string block(const Node& map, int indent) {
+  const std::string margin(static_cast<std::size_t>(indent), ' ');
+  const auto is_map = [](const Node& node) { return node.kind() == Node::Kind::map && !node.entries().empty(); };
+  std::string out;
+  for (const Node::Entry& entry : map.entries()) {
+    const Node& value = entry.value;
+    out += margin + flow_text(entry.key, false) + ':';
+    if (is_map(value)) {
+      out += '\n' + block(value, indent + 2);
+    } else if (!value.elements().empty() && std::ranges::all_of(value.elements(), is_map)) {
+      out += '\n';
+      for (const Node& element : value.elements()) out += margin + "  - " + flow(element) + '\n';
+    } else {
+      out += ' ' + flow(value) + '\n';
+    }
+  }
+  return out;
 }
 
 }  // namespace regista::config

@@ -6,40 +6,36 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/line.hpp"
-#include "config/place.hpp"
 #include "config/read.hpp"
-#include "config/scalar.hpp"
+#include "config/team.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
 
-constexpr Range coordinate{-farthest_coordinate, farthest_coordinate};
-
 using Point = std::array<double, 2>;
 
 double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1]); }
 
-std::string text(const Point& point) { return fmt::format("({}, {})", real_text(point[0]), real_text(point[1])); }
+std::string text(const Point& point) { return fmt::format("({}, {})", point[0], point[1]); }
 
-// A computed length as a person reads it.
-std::string metres(double value) { return fmt::format("{:.4g}", value); }
+// Formats a computed length for a message.
+std::string rounded(double value) { return fmt::format("{:.4g}", value); }
 
-// Distance from `point` to the nearest part of either goal: the posts, and the net as lines between them and behind.
+// Returns the distance from `point` to the nearest part of either goal: the posts, and the sides and back of the net.
 double to_goal_frame(const Point& point, const FieldSize& field) {
   const double line = field.length / 2.0, back = line + field.goal_depth;
   const double post = (field.goal_width + field.post_diameter) / 2.0;
-  // The field is symmetric: one corner of it stands for all.
+  // The field is symmetric, so one quadrant represents all.
   const Point at{std::fabs(point[0]), std::fabs(point[1])};
   const Point on_side{std::clamp(at[0], line, back), post}, on_back{back, std::clamp(at[1], 0.0, post)};
   const double to_post = std::max(distance(at, {line, post}) - field.post_diameter / 2.0, 0.0);
   return std::min({to_post, distance(at, on_side), distance(at, on_back)});
 }
 
-// A robot that takes part.
+// A robot that plays from the opening.
 struct Standing {
-  std::string path, name;  // "home.0.at", "home 1"
+  std::string path, name;  // for messages: "home.0.at", "home 1"
   Point at;
   double radius;
 };
@@ -49,8 +45,7 @@ std::vector<Standing> standing(const Opening& opening, const Rules& rules, const
   for (const std::size_t side : {0u, 1u}) {
     const char* const name = side == 0 ? "home" : "away";
     const std::vector<Opening::Player>& players = side == 0 ? opening.home : opening.away;
-    const std::size_t count = std::min(players.size(), static_cast<std::size_t>(rules.team_size));
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < std::min(players.size(), static_cast<std::size_t>(rules.team_size)); ++i) {
       all.push_back({fmt::format("{}.{}.at", name, i), fmt::format("{} {}", name, i + 1), players[i].at,
                      robots[side].body.radius});
     }
@@ -62,14 +57,14 @@ std::vector<Standing> standing(const Opening& opening, const Rules& rules, const
 
 static Map declare(Opening::Ball& ball) {
   return {{
-      required(numbers("at", ball.at, coordinate, "m", "where it is: x, y")),
+      required(numbers("at", ball.at, coordinates, "m", "where it is: x, y")),
       numbers("velocity", ball.velocity, {-20, 20}, "m/s", "how it moves: along x, along y"),
   }};
 }
 
 static Map declare(Opening::Player& player) {
   return {{
-      required(numbers("at", player.at, coordinate, "m", "where it stands: x, y")),
+      required(numbers("at", player.at, coordinates, "m", "where it stands: x, y")),
       degrees("heading_deg", player.heading, {-360, 360}, "deg",
               "0 looks along x, 90 along y; without it the robot looks at the ball"),
   }};
@@ -100,7 +95,7 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
   for (const auto& [side, players] : {std::pair{"home", &opening.home}, {"away", &opening.away}}) {
     if (players->size() < static_cast<std::size_t>(rules.team_size)) {
       found(side, fmt::format("{} has {}, a team has {} robots", side,
-                              texts::counted(players->size(), "place", "places"), rules.team_size));
+                              texts::plural(players->size(), "place", "places"), rules.team_size));
     }
   }
   const FieldSize& field = rules.field;
@@ -109,7 +104,7 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
   const double x = field.length / 2.0, y = field.width / 2.0;
   if (std::fabs(ball[0]) > x || std::fabs(ball[1]) > y) {
     found("ball.at", fmt::format("the ball at {} is off the field, which ends at x = {} and y = {} m", text(ball),
-                                 metres(x), metres(y)));
+                                 rounded(x), rounded(y)));
   } else if (to_goal_frame(ball, field) < ball_radius) {
     found("ball.at", fmt::format("the ball at {} is on a goal post", text(ball)));
   }
@@ -120,7 +115,7 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
     const double end_x = x + field.border_strip - robot.radius, end_y = y + field.border_strip - robot.radius;
     if (std::fabs(robot.at[0]) > end_x || std::fabs(robot.at[1]) > end_y) {
       found(robot.path, fmt::format("{} is off the carpet, which has room up to x = {} and y = {} m", who,
-                                    metres(end_x), metres(end_y)));
+                                    rounded(end_x), rounded(end_y)));
       continue;
     }
     if (to_goal_frame(robot.at, field) < robot.radius) {
@@ -130,8 +125,8 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
     const double to_ball = distance(robot.at, ball), on_ball = robot.radius + ball_radius;
     if (to_ball < on_ball) {
       found(robot.path,
-            fmt::format("{} stands on the ball at {}: {} m apart, they need {} m", who, text(ball), metres(to_ball),
-                        metres(on_ball)),
+            fmt::format("{} stands on the ball at {}: {} m apart, they need {} m", who, text(ball), rounded(to_ball),
+                        rounded(on_ball)),
             "ball.at");
     }
     for (std::size_t j = 0; j < i; ++j) {
@@ -139,7 +134,7 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
       if (apart >= bodies) continue;
       found(robot.path,
             fmt::format("{} and {} at {} overlap: {} m apart, they need {} m", who, all[j].name, text(all[j].at),
-                        metres(apart), metres(bodies)),
+                        rounded(apart), rounded(bodies)),
             all[j].path);
     }
   }
@@ -149,7 +144,7 @@ std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const st
 void check(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots, const Node& document,
            Mistakes& mistakes) {
   for (const Misfit& each : misfits(opening, rules, robots)) {
-    // Too few places are too few whatever else is wrong with some of them.
+    // If the list has too few places, this is reported even if an element of the list is wrong or unknown.
     const bool of_places = each.path == "home" || each.path == "away";
     if (of_places ? mistakes.mistaken(each.path) : mistakes.doubtful(each.path)) continue;
     if (!each.other.empty() && mistakes.doubtful(each.other)) continue;
@@ -158,9 +153,8 @@ void check(const Opening& opening, const Rules& rules, const std::array<Robot, 2
 }
 
 std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots) {
-  std::vector<Misfit> all = misfits(opening, rules, robots);
-  if (all.empty()) return std::nullopt;
-  return std::move(all.front());
+  const std::vector<Misfit> all = misfits(opening, rules, robots);
+  return all.empty() ? std::nullopt : std::optional(all.front());
 }
 
 }  // namespace regista::config

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// An opening: a scene in the middle of a game from which a short one starts, as chess engines start from positions of a
-// book. World frame: origin at the centre, home attacks towards +x, y to the left of home. SI units; radians in memory
-// (degrees in YAML, in keys that end in _deg).
+// An opening: the places of ball and robots from which a short game starts. Chess engines are tested in a similar way,
+// from positions of an opening book. World frame: origin at the centre, home attacks towards +x, y to the left of home.
+// SI units; radians in memory (degrees in YAML, in keys that end in _deg).
 #pragma once
 
 #include <array>
@@ -22,40 +22,39 @@ struct Opening {
   };
   struct Player {
     std::array<double, 2> at{};     // m, centre of the torso
-    std::optional<double> heading;  // rad; none: looks at the ball
+    std::optional<double> heading;  // rad; missing: the player faces the ball
   };
 
   std::string name;
-  std::string summary;   // for people; one line
-  double length = 30.0;  // s of play, then the game ends
+  std::string summary;   // description for people, one line
+  double length = 30.0;  // length of the game, s
   Ball ball;
-  // Number 1 first. A team of fewer robots uses the first ones.
+  // The players in the order of shirt numbers, from 1. A team with fewer robots than players uses the first players.
   std::vector<Player> home, away;
 };
 
 Map declare(Opening& opening);
 
-// Heading of a player of this opening, rad in [-pi, pi] where the document says none: towards the ball.
+// Returns the heading of a player, rad in [-pi, pi]. A player without a heading faces the ball.
 double heading(const Opening& opening, const Opening::Player& player);
 
-// Why an opening cannot be played, and the path of the value that is to blame ("home.2.at").
+// A reason why an opening is not playable, and the path of the wrong value ("home.2.at").
 struct Misfit {
   std::string path, reason;
-  std::string other = {};  // path of the value that it does not go with, where that is one of the opening, too
+  std::string other = {};  // path of a second value that conflicts with the value at `path`; empty: no second value
 };
 
-// What of the opening does not go with rules and robots (by side: home, away): too few places for a team, somebody
-// beyond the border, on another, on the ball or in a goal's frame, or the ball not within the lines. Looks at the
-// robots that take part alone.
+// Finds conflicts of an opening with the rules or with the robots of home and away: too few places; a robot outside of
+// the border, on another robot, on the ball or in a goal frame; a ball outside of the lines. Ignores players
+// beyond the team size of the rules.
 std::vector<Misfit> misfits(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots);
 
-// The same as mistakes of the document.
 inline void check(const Opening& /*opening*/, const Node& /*document*/, Mistakes& /*mistakes*/) {}
-// Against what it is played by.
+// Reports the results of misfits() as mistakes of the document.
 void check(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots, const Node& document,
            Mistakes& mistakes);
 
-// The first of them.
+// Returns the first result of misfits(), if there is one.
 std::optional<Misfit> misfit(const Opening& opening, const Rules& rules, const std::array<Robot, 2>& robots);
 
 }  // namespace regista::config

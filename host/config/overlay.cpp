@@ -4,37 +4,64 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <fstream>
 #include <map>
 #include <optional>
-#include <string>
-#include <vector>
+#include <set>
+#include <sstream>
+#include <system_error>
+#include <utility>
 
+#include "config/parse.hpp"
 #include "config/scalar.hpp"
+#include "config/shipped.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr std::size_t longest_chain = 16;
+
+Node without(const Node& map, std::string_view key) {
+  std::vector<Node::Entry> entries(map.entries().begin(), map.entries().end());
+  std::erase_if(entries, [&](const Node::Entry& entry) { return entry.key == key; });
+  return Node::map(std::move(entries), map.where());
+}
+
+// Files, each of which is followed by the file that it extends. Pairs of the name as written and the resolved path.
+using Chain = std::vector<std::pair<std::string, fs::path>>;
+
+Node load_over(const fs::path& file, const Location& asked_by, Chain& chain) {
+  std::error_code failed;
+  const fs::path identity = fs::weakly_canonical(file, failed);
+  if (std::ranges::find(chain, identity, &Chain::value_type::second) != chain.end()) {
+    std::string names;
+    for (const auto& [name, of] : chain) names += name + " -> ";
+    throw Error(asked_by, "extends itself: " + names + file.string());
+  }
+  if (chain.size() >= longest_chain)
+    throw Error(asked_by, fmt::format("extends more than {} files", longest_chain - 1));
+  Node document = parse(file, asked_by);
+  const Node extends = document["extends"];
+  if (!extends) return document;
+  document = without(document, "extends");
+  chain.emplace_back(file.string(), identity);
+  return merge(load_over(named_file(extends, "extends"), extends.where(), chain), document);
+}
+
 using Entries = std::vector<Node::Entry>;
 
-Entries::iterator find(Entries& entries, std::string_view key) {
-  return std::find_if(entries.begin(), entries.end(), [&](const Node::Entry& entry) { return entry.key == key; });
-}
-
-std::vector<std::string> keys_of(const Node& map) {
-  std::vector<std::string> keys;
-  for (const Node::Entry& entry : map.entries()) keys.push_back(entry.key);
-  return keys;
-}
-
-// Whether `over` puts another plugin into the place of the one in `base`.
+// Returns whether `base` and `over` name two different plugins.
 bool names_another_plugin(const Node& base, const Node& over) {
   const Node before = base["plugin"], after = over["plugin"];
   return before && after && before.text() != after.text();
 }
 
-// A list of maps, each with a name of its own.
+// Returns whether the sequence is a list of maps that all have names.
 bool has_names(const Node& sequence) {
   const std::span<const Node> elements = sequence.elements();
   return !elements.empty() &&
@@ -54,41 +81,19 @@ std::size_t index_of(std::span<const Node> elements, std::string_view name) {
   return static_cast<std::size_t>(found - elements.begin());
 }
 
-// Where an element goes that says `before: NAME` or `after: NAME`.
-struct Placed {
-  Node element;  // without these keys
-  Node before, after;
-};
-
-Placed placed(const Node& element) {
-  Entries entries;
-  Placed out;
-  for (const Node::Entry& entry : element.entries()) {
-    if (entry.key == "before") {
-      out.before = entry.value;
-    } else if (entry.key == "after") {
-      out.after = entry.value;
-    } else {
-      entries.push_back(entry);
-    }
-  }
-  if (out.before && out.after) throw Error(out.after.where(), "before and after: one of them");
-  out.element = Node::map(std::move(entries), element.where());
-  return out;
-}
-
-void insert(std::vector<Node>& elements, const Placed& placed, Node element) {
-  const Node& beside = placed.before ? placed.before : placed.after;
+// Inserts `element` beside the list element NAME. `placed` has the key `before: NAME` or `after: NAME`.
+void insert(std::vector<Node>& elements, const Node& placed, Node element) {
+  const char* const key = placed["before"] ? "before" : "after";
+  const Node beside = placed[key];
   if (beside.kind() != Node::Kind::scalar) {
-    throw Error(beside.where(), fmt::format("{}: expected the name of an element, not {}",
-                                            placed.before ? "before" : "after", described(beside)));
+    throw Error(beside.where(), fmt::format("{}: expected the name of an element, not {}", key, described(beside)));
   }
   const std::size_t index = index_of(elements, beside.text());
   if (index == elements.size()) {
-    throw Error(beside.where(),
-                texts::unknown("element", beside.text(), placed.before ? "before" : "after", names_of(elements)));
+    throw Error(beside.where(), texts::unknown("element", beside.text(), key, names_of(elements)));
   }
-  elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(index + (placed.before ? 0 : 1)), std::move(element));
+  elements.insert(elements.begin() + static_cast<std::ptrdiff_t>(index + (placed["before"] ? 0 : 1)),
+                  std::move(element));
 }
 
 Node with_name(const Node& element, const Node::Entry& entry) {
@@ -97,7 +102,7 @@ Node with_name(const Node& element, const Node::Entry& entry) {
   return Node::map(std::move(entries), element.where());
 }
 
-// One entry of a map that is laid over a list by name.
+// Lays one entry of a map over a list with named elements.
 void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
   const std::size_t index = index_of(elements, entry.key);
   const bool there = index < elements.size();
@@ -116,23 +121,25 @@ void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
   if (const Node own = entry.value["name"]; own && own.text() != entry.key) {
     throw Error(own.where(), fmt::format("{} stands under another name, {}", texts::in_quotes(own.text()), entry.key));
   }
-  const Placed over = placed(entry.value);
-  const bool has_place = over.before || over.after;
+  const Node before = entry.value["before"], after = entry.value["after"];
+  if (before && after) throw Error(after.where(), "before and after: one of them");
+  const bool has_place = before || after;
+  const Node over = without(without(entry.value, "before"), "after");
   if (!there && !has_place) {
     throw Error(entry.key_where, texts::unknown("element", entry.key, "", names_of(elements)) +
                                      "; a new one says where it goes, before: NAME or after: NAME");
   }
   if (!there) {
-    insert(elements, over, over.element["name"] ? over.element : with_name(over.element, entry));
+    insert(elements, entry.value, over["name"] ? over : with_name(over, entry));
     return;
   }
-  Node merged = merge(*at, over.element);
+  Node merged = merge(*at, over);
   if (!has_place) {
     *at = std::move(merged);
     return;
   }
   elements.erase(at);
-  insert(elements, over, std::move(merged));
+  insert(elements, entry.value, std::move(merged));
 }
 
 Node merge_by_name(const Node& base, const Node& over) {
@@ -141,15 +148,14 @@ Node merge_by_name(const Node& base, const Node& over) {
   return Node::sequence(std::move(elements), over.where());
 }
 
-// The path as its error messages name it, up to where `rest` begins.
+// Returns the path up to the beginning of `rest`, for error messages.
 std::string_view walked(std::string_view path, std::string_view rest) {
   std::string_view part = path.substr(0, path.size() - rest.size());
   if (part.ends_with('.')) part.remove_suffix(1);
   return part.empty() ? "the document" : part;
 }
 
-// The first key of a path into a map. A key may itself contain dots (those of `use:` do): the longest that fits is
-// meant.
+// Returns the first key of a path into a map. A key may contain dots (as in `use:`); the longest fitting key wins.
 std::string_view first_key(const Node& map, std::string_view path) {
   std::string_view key = path.substr(0, path.find('.'));
   bool there = false;
@@ -163,8 +169,8 @@ std::string_view first_key(const Node& map, std::string_view path) {
   return key;
 }
 
-// Which element of a list part of a path means: that of this name, else the one at this index, which need not exist.
-// Nothing: neither a name of one nor a number.
+// Returns the index of the list element that a part of a path addresses: by its name, otherwise by its index. The index
+// may be out of range. Returns nothing for a part that is neither a known name nor a number.
 std::optional<std::size_t> element_meant(const Node& sequence, std::string_view name) {
   const std::span<const Node> elements = sequence.elements();
   for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -183,14 +189,9 @@ struct Overlay {
   const Location& where;
 
   Node lay(const Node& node, std::string_view rest) const {
-    switch (node.kind()) {
-      case Node::Kind::map:
-        return lay_map(node, rest);
-      case Node::Kind::sequence:
-        return lay_sequence(node, rest);
-      default:
-        throw Error(where, fmt::format("{} is {}, which has no parts", walked(path, rest), described(node)));
-    }
+    if (node.kind() == Node::Kind::map) return lay_map(node, rest);
+    if (node.kind() == Node::Kind::sequence) return lay_sequence(node, rest);
+    throw Error(where, fmt::format("{} is {}, which has no parts", walked(path, rest), described(node)));
   }
 
   Node lay_map(const Node& map, std::string_view rest) const {
@@ -200,13 +201,13 @@ struct Overlay {
     if (last) return merge(map, Node::map({{std::string(key), where, value}}, map.where()));
     const std::string_view below = rest.substr(key.size() + 1);
     Entries entries(map.entries().begin(), map.entries().end());
-    const auto found = find(entries, key);
+    const auto found = std::ranges::find(entries, key, &Node::Entry::key);
+    const bool there = found != entries.end() && found->value.kind() != Node::Kind::null;
+    Node laid = lay(there ? found->value : Node::map({}, where), below);
     if (found == entries.end()) {
-      entries.push_back({std::string(key), where, lay_map(Node::map({}, where), below)});
-    } else if (found->value.kind() == Node::Kind::null) {
-      found->value = lay_map(Node::map({}, where), below);
+      entries.push_back({std::string(key), where, std::move(laid)});
     } else {
-      found->value = lay(found->value, below);
+      found->value = std::move(laid);
     }
     return Node::map(std::move(entries), map.where());
   }
@@ -239,6 +240,28 @@ struct Overlay {
 
 }  // namespace
 
+Node load(const fs::path& file, const Overrides& overrides) {
+  Chain chain;
+  return override_with(load_over(own_or_shipped(file), {}, chain), overrides);
+}
+
+Override::Override(const std::string& typed) : where{"--set " + typed, 0, 0} {
+  const std::size_t equals = typed.find('=');
+  if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
+  if (equals + 1 == typed.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
+  path = typed.substr(0, equals);
+  value = parse_value(std::string_view(typed).substr(equals + 1), where);
+}
+
+Overrides typed_overrides(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+
+std::string to_string(const Override& override) { return fmt::format("{}={}", override.path, flow(override.value)); }
+
+Node override_with(Node document, const Overrides& overrides) {
+  for (const Override& each : overrides) document = with(document, each.path, each.value, each.where);
+  return document;
+}
+
 Node merge(const Node& base, const Node& over) {
   if (base.kind() == Node::Kind::sequence && over.kind() == Node::Kind::map && has_names(base))
     return merge_by_name(base, over);
@@ -255,7 +278,9 @@ Node merge(const Node& base, const Node& over) {
   for (const Node::Entry& entry : over.entries()) {
     if (entry.value.kind() == Node::Kind::null) {
       if (base[entry.key]) continue;
-      throw Error(entry.key_where, "nothing to remove: " + texts::unknown("key", entry.key, "", keys_of(base)));
+      throw Error(entry.key_where,
+                  "nothing to remove: " +
+                      texts::unknown("key", entry.key, "", texts::names_of(base.entries(), &Node::Entry::key)));
     }
     const auto place = places.find(entry.key);
     if (place == places.end()) {
@@ -276,11 +301,175 @@ Node value_at(const Node& document, std::string_view path) {
   if (path.empty()) return document;
   const bool map = document.kind() == Node::Kind::map;
   const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
-  if (first.size() + 1 == path.size()) return {};  // ends in a dot
+  if (first.size() + 1 == path.size()) return {};  // the path ends in a dot
   const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
   if (map) return value_at(document[first], rest);
   const std::optional<std::size_t> meant = element_meant(document, first);
   return meant && *meant < document.elements().size() ? value_at(document.elements()[*meant], rest) : Node();
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Returns whether a user who wrote `asked` may have meant the file `there`. Ignores the endings of the file names.
+bool alike(const fs::path& asked, const fs::path& there) {
+  const std::string stem = asked.stem().string(), other = there.stem().string();
+  return stem == other || !texts::nearest(stem, {&other, 1}).empty();
+}
+
+// Returns `; nearest: "b.yaml"` if the folder has a file with a similar name; otherwise an empty text.
+std::string neighbour(const fs::path& file) {
+  constexpr std::size_t most = 1000;
+  std::vector<std::string> names;
+  std::error_code failed;
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  std::size_t seen = 0;
+  for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && seen < most;
+       entry.increment(failed), ++seen) {
+    if (alike(file, entry->path())) names.push_back(entry->path().filename().string());
+  }
+  const std::string asked = file.filename().string(), name = file.stem().string();
+  if (failed && file.has_parent_path()) {
+    const std::string known =
+        shipped(name).empty() ? "" : fmt::format("; shipped documents go by their names: {}", name);
+    return fmt::format("; there is no folder {}{}", folder.string(), known);
+  }
+  if (asked == name) std::ranges::move(shipped_names(), std::back_inserter(names));
+  std::ranges::sort(names);
+  const std::string_view near = texts::nearest(asked, names);
+  return near.empty() || near == asked ? "" : fmt::format("; nearest: {}", texts::in_quotes(near));
+}
+
+constexpr std::size_t most_files = 20'000;  // largest number of files to find; a folder may contain any number of files
+constexpr std::size_t longest_name = 4'096;  // bytes of a file name
+constexpr int most_names = 8;                // kept names of a file; a link to its own folder would give endless names
+
+class Search {
+ public:
+  // Adds the file `text` in `folder` if the file exists. An empty `folder` means the current folder.
+  void name(const std::string& text, const fs::path& folder) {
+    if (text.empty() || text.size() > longest_name || text.find('\0') != std::string::npos) return;
+    const fs::path path = own_or_shipped(folder / text, text);
+    std::error_code none;
+    const fs::file_type type = fs::status(path, none).type();
+    if (type == fs::file_type::regular) file(path);
+    if (type == fs::file_type::directory) files_in(path);
+  }
+
+  // Tests every value as a file name. Names in a document are relative to its folder, but names in a study's `set` are
+  // relative to the current folder. So the search tests both folders.
+  void values(const Node& node, const fs::path& folder) {
+    if (node.kind() == Node::Kind::scalar) {
+      name(node.text(), folder);
+      if (!folder.empty()) name(node.text(), {});
+    }
+    for (const Node& each : node.elements()) values(each, folder);
+    for (const Node::Entry& each : node.entries()) values(each.value, folder);
+  }
+
+  // Reads each file of the list and adds the files that it names. Uses no recursion, because the chain may be long.
+  std::vector<fs::path> all() {
+    for (std::size_t i = 0; i < out_.size(); ++i) {
+      const fs::path path = out_[i];
+      std::error_code none;
+      if (fs::file_size(path, none) > largest_file) continue;  // too large for a document
+      try {
+        values(parse(path), path.parent_path());
+      } catch (const Error&) {
+        // The file is not a document, but a plugin or data of a plugin.
+      }
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void file(const fs::path& path) {
+    std::error_code none;
+    if (out_.size() >= most_files || !names_.insert(path.lexically_normal()).second) return;
+    // Keeps each name of a file with links, because a relative path in the file depends on the file's folder.
+    if (++names_of_[fs::weakly_canonical(path, none)] <= most_names) out_.push_back(path);
+  }
+
+  void files_in(const fs::path& folder) {
+    std::error_code failed;
+    std::vector<fs::path> found;
+    for (fs::directory_iterator each(folder, failed), end; !failed && each != end; each.increment(failed)) {
+      std::error_code none;
+      if (each->path().extension() == ".yaml" && each->is_regular_file(none)) found.push_back(each->path());
+    }
+    std::ranges::sort(found);
+    for (const fs::path& each : found) file(each);
+  }
+
+  std::vector<fs::path> out_;
+  std::set<fs::path> names_;
+  std::map<fs::path, int> names_of_;  // number of names of each real file
+};
+
+}  // namespace
+
+std::string read_file(const fs::path& file, const Location& asked_by, std::string_view expected) {
+  const bool asked = !asked_by.file.empty();
+  const Location here = asked ? asked_by : Location{file.string(), 0, 0};
+  const std::string name = asked ? file.string() + ": " : "";
+  std::error_code failed;
+  const fs::file_status status = fs::status(file, failed);
+  if (status.type() == fs::file_type::not_found) throw Error(here, name + "no such file" + neighbour(file));
+  if (status.type() == fs::file_type::directory) {
+    throw Error(here, fmt::format("{}is a folder; expected {}", name, expected));
+  }
+  if (status.type() == fs::file_type::regular) {
+    const auto size = fs::file_size(file, failed);
+    if (!failed && size > largest_file) {
+      throw Error(here, fmt::format("{}is {} bytes large; at most {} are read", name, size, largest_file));
+    }
+    std::ifstream stream(file, std::ios::binary);
+    std::string content;
+    std::array<char, 16384> part;
+    while (stream && content.size() <= largest_file) {
+      stream.read(part.data(), part.size());
+      content.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+    }
+    if (stream.is_open() && !stream.bad()) return content;
+    throw Error(here, name + "cannot be read");
+  }
+  throw Error(here, name + (failed ? "cannot be read: " + failed.message() : "is not a regular file"));
+}
+
+std::optional<std::string> file_content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  // An empty file writes nothing to the stream, so the stream reports a failure.
+  if (!in || (in.peek() != std::ifstream::traits_type::eof() && !(bytes << in.rdbuf())) || in.bad())
+    return std::nullopt;
+  return std::move(bytes).str();
+}
+
+fs::path named_file(const Node& value, std::string_view what) {
+  const std::string name = to_text(value, what);
+  if (name.empty()) throw Error(value.where(), fmt::format("{}: empty; expected a path", what));
+  const fs::path path = name;
+  if (path.is_absolute() || value.where().is_laid()) return own_or_shipped(path.lexically_normal());
+  return own_or_shipped((fs::path(value.where().file).parent_path() / path).lexically_normal(), path);
+}
+
+fs::path existing_file(const Node& value, std::string_view what) {
+  const fs::path path = named_file(value, what);
+  std::error_code failed;
+  if (!fs::is_regular_file(path, failed)) {
+    const bool there = fs::exists(path, failed);
+    throw Error(value.where(), fmt::format("{}: {}", what, path.string()) +
+                                   (there ? ": is not a regular file" : ": no such file" + neighbour(path)));
+  }
+  return fs::absolute(path).lexically_normal();
+}
+
+std::vector<fs::path> named_files(std::span<const fs::path> documents, const Overrides& overrides) {
+  Search search;
+  for (const fs::path& each : documents) search.name(each.string(), {});
+  for (const Override& each : overrides) search.values(each.value, {});
+  return search.all();
 }
 
 }  // namespace regista::config

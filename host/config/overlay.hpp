@@ -1,28 +1,89 @@
 // SPDX-License-Identifier: MIT
-// Laying one document over another: what `extends`, `--set path=value` and a context's `use:` have in common.
+// Lays one document over another: values of the upper document replace values of the lower one. `extends`, `--set
+// path=value` and the `use:` of a context work in this way. load() reads a document with everything that it extends.
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "config/node.hpp"
 
 namespace regista::config {
 
-// `over` laid over `base`: maps merge key by key, everything else replaces, null removes the key. A map that names
-// another `plugin` than the one below it drops that plugin's `params` and `file`: they mean nothing to the new one.
-// A map over a list whose elements have names lays each of its values over the element of that name; null removes it. A
-// name that is not there adds an element, whose key `before` or `after` names the one that it stands beside; in one
-// that is there, they move it. Locations stay those of the values. Throws Error at a null whose key is not there to be
-// removed, at a name of no element that says no place, and at a place that is none.
+// A value that is laid over a document at a path.
+struct Override {
+  std::string path;
+  Node value;
+  Location where;  // where the path is written
+
+  Override(std::string path_, Node value_, Location where_)
+      : path(std::move(path_)), value(std::move(value_)), where(std::move(where_)) {}
+  // Reads "path=value", where the value is YAML. `where` becomes "--set path=value". Throws Error for another form.
+  Override(const std::string& typed);
+  Override(const char* typed) : Override(std::string(typed)) {}
+};
+
+// Overrides in the order in which they are laid over a document.
+using Overrides = std::vector<Override>;
+
+Overrides typed_overrides(const std::vector<std::string>& texts);
+std::string to_string(const Override& override);  // "path=value"
+
+// Reads a document and lays the overrides over it. A document with the key `extends: FILE` is first laid over FILE,
+// which may extend another file. A relative FILE begins at the folder of the document that names it. `file` and FILE
+// may also be the name of a shipped document (shipped.hpp). Every value keeps its Location in its file or override.
+Node load(const std::filesystem::path& file, const Overrides& overrides = {});
+
+// Lays the overrides over a document in memory and returns the result.
+Node override_with(Node document, const Overrides& overrides);
+
+// Lays `over` over `base`. Maps are merged key by key. Any other value replaces the value of `base`; null removes the
+// value of `base`. If a map of `over` names another `plugin` than `base`, the keys `params` and `file` of `base` are
+// removed, because they belong to the old plugin. If `over` has a map where `base` has a list with named elements, each
+// value of this map is laid over the element with this name. Null removes the element. A new name adds an element. The
+// key `before` or `after` names the neighbour of a new or moved element. Values keep their Locations. Throws Error at a
+// null for a key that `base` lacks, and at a new element that names no existing neighbour.
 Node merge(const Node& base, const Node& over);
 
-// `value` laid over what stands at a dotted path of `document`. Elements of a list of maps are addressed by their
-// `name`, of any list by their index from 0; null removes what is there. A path may end in keys that do not exist yet:
-// whether they are known is for the reader to say, so everything created stands at `where`. Throws Error at `where`
-// for a path that leads through a value without parts, or to an element that is not there.
+// Lays `value` over the value of `document` at a dotted path. Null removes the old value. A path addresses elements of
+// a list of maps by their `name`, and elements of any list by their index from 0. A path may end in new keys, which get
+// the location `where`. Throws Error at `where` if the path leads through a scalar or to a missing element.
 Node with(const Node& document, std::string_view path, const Node& value, const Location& where);
 
-// What stands at a path as with() understands it; absent where there is nothing.
+// Returns the value at a path in the syntax of with(); an absent node if the document has no value at this path.
 Node value_at(const Node& document, std::string_view path);
+
+// --- Functions that find and read the files that documents name. The Error for a missing file says where the file's
+// name is written and which similar file exists. named_files() finds all files that a document needs.
+
+// Returns the whole content of a regular file of at most `largest_file` bytes. Throws Error at `asked_by` (default: at
+// the file) if the file does not exist, is too large, is unreadable, or is no regular file. `expected` describes the
+// wanted kind of file in the message about a folder.
+std::string read_file(const std::filesystem::path& file, const Location& asked_by = {},
+                      std::string_view expected = "a file");
+
+// Returns the whole content of a file of any size, or nothing if the file is unreadable.
+std::optional<std::string> file_content(const std::filesystem::path& file);
+
+// Returns the path of the file that a value names. A relative path begins at the folder of the value's file, or at the
+// current folder for a value of the command line; the name of a shipped document gives its path. Throws Error at the
+// value if it is empty or no text. `what` is the path of the value, such as "sender.file".
+std::filesystem::path named_file(const Node& value, std::string_view what);
+
+// Returns the absolute path of named_file(). Throws Error at the value if no regular file has this path.
+std::filesystem::path existing_file(const Node& value, std::string_view what);
+
+// Returns the documents and all files that they name directly or indirectly: extended documents, teams and openings of
+// a study, files of parameters, pinned plugins. The search tests every value as a file name and repeats this in each
+// document that it finds. Each file name is returned once, in the order of the search. For a file with several names
+// (links), at most eight names are returned. If a value names a folder, the search takes the .yaml files of this
+// folder. The search also tests the values of overrides. An unreadable file causes no exception.
+std::vector<std::filesystem::path> named_files(std::span<const std::filesystem::path> documents,
+                                               const Overrides& overrides = {});
 
 }  // namespace regista::config

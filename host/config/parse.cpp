@@ -14,39 +14,80 @@
 #include <sstream>
 #include <utility>
 
-#include "config/encoding.hpp"
-#include "config/file.hpp"
+#include "config/overlay.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
 
-// How much of the two limits a value uses, itself included.
+// A reason why a file cannot be read as YAML. A file must be UTF-8 text without byte order mark or control characters,
+// indented by spaces. yaml-cpp misreads other bytes without an error (0x04 ends its input).
+struct EncodingFlaw {
+  int line, column;  // count from 1
+  std::string message;
+};
+
+// Returns the first invalid byte, if any.
+std::optional<EncodingFlaw> encoding_flaw(std::string_view text) {
+  constexpr std::size_t longest_line = 65536;  // bytes; yaml-cpp may look ahead to the end of a line
+  if (text.starts_with("\xef\xbb\xbf")) {
+    return EncodingFlaw{1, 1, "begins with a byte order mark; save it as UTF-8 without one"};
+  }
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
+    return EncodingFlaw{1, 1, "is UTF-16 text; save it as UTF-8"};
+  }
+  int line = 1;
+  std::size_t line_start = 0;
+  bool indenting = true;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto flaw = [&](std::string message) {
+      return EncodingFlaw{line, static_cast<int>(i - line_start) + 1, std::move(message)};
+    };
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (byte == '\n') {
+      ++line;
+      line_start = ++i;
+      indenting = true;
+      continue;
+    }
+    if (i - line_start >= longest_line) return flaw(fmt::format("line is longer than {} bytes", longest_line));
+    if (byte == '\t' && indenting) return flaw("tab in the indentation; use spaces");
+    if (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) return flaw("carriage return inside a line");
+    if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f) {
+      return flaw(fmt::format("byte 0x{:02x} is not text; is this a binary file?", byte));
+    }
+    if (byte != ' ') indenting = false;
+    const std::size_t length = texts::first_character(text.substr(i)).bytes;
+    if (length == 0) return flaw(fmt::format("byte 0x{:02x} is not UTF-8", byte));
+    i += length;
+  }
+  return std::nullopt;
+}
+
+// The number of nodes and the depth of nesting of a value, including the value itself.
 struct Extent {
   std::size_t nodes = 1;
   int depth = 0;
 };
 
-// Builds the tree from yaml-cpp's events, and refuses what this room does not accept as soon as it is seen.
+// Builds the tree from the events of yaml-cpp. Throws Error at the first event of unsupported YAML.
 class Builder : public YAML::EventHandler {
  public:
-  // Values stand where their marks say, in the file of `place`; or, when `fixed`, all at `place`.
+  // If `fixed`, every value gets the Location `place`. Otherwise it gets its line and column in the file of `place`.
   Builder(std::string_view text, Location place, bool fixed) : text_(text), place_(std::move(place)), fixed_(fixed) {
-    line_starts_.push_back(0);
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] == '\n') line_starts_.push_back(i + 1);
     }
   }
 
-  Node take() { return std::move(root_); }
-  bool seen() const { return documents_ > 0; }
+  Node take() { return std::move(root_); }  // absent if the text holds no document
 
   Location at(const YAML::Mark& mark) const {
     if (fixed_ || mark.is_null()) return place_;
     return {place_.file, mark.line + 1, mark.column + 1};
   }
 
-  // A bracket that was opened and not closed, the innermost.
+  // The innermost bracket that is not closed yet.
   struct Bracket {
     Location where;
     char closed_by;
@@ -58,7 +99,7 @@ class Builder : public YAML::EventHandler {
     return Bracket{open_.back().where, rest[0] == '{' ? '}' : ']'};
   }
 
-  // The last line above this one that says something, without its indentation and dashes; empty when none does.
+  // Returns the last non-empty line above `line`, without indentation and dashes; empty if there is no such line.
   std::string_view line_above(int line) const {
     const int last = std::min(line - 2, static_cast<int>(line_starts_.size()) - 2);
     for (int above = last; above >= 0; --above) {
@@ -79,10 +120,7 @@ class Builder : public YAML::EventHandler {
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     if (key_wanted()) throw Error(at(mark), "a key is missing before the ':'");
-    count(mark);
-    Node node = Node::null(null_place(mark));
-    remember(anchor, {node, {}});
-    add(std::move(node), {});
+    add_leaf(mark, anchor, Node::null(null_place(mark)));
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -106,18 +144,14 @@ class Builder : public YAML::EventHandler {
       begin_entry(value, at(mark));
       return;
     }
-    count(mark);
-    Node node = Node::scalar(value, quoted, at(mark));
-    remember(anchor, {node, {}});
-    add(std::move(node), {});
+    add_leaf(mark, anchor, Node::scalar(value, quoted, at(mark)));
   }
 
-  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                       YAML::EmitterStyle::value) override {
+  using Style = YAML::EmitterStyle::value;
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Style) override {
     start(mark, tag, anchor, false);
   }
-  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
-                  YAML::EmitterStyle::value) override {
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor, Style) override {
     start(mark, tag, anchor, true);
   }
   void OnSequenceEnd() override { finish(); }
@@ -128,7 +162,7 @@ class Builder : public YAML::EventHandler {
     Node node;
     Extent extent;
   };
-  // A map or sequence whose end has not been seen.
+  // A map or sequence whose end has not been read yet.
   struct Open {
     bool map;
     Location where;
@@ -137,12 +171,12 @@ class Builder : public YAML::EventHandler {
     Extent extent;
     std::vector<Node> elements;
     std::vector<Node::Entry> entries;
-    std::optional<Node::Entry> key;    // waits for its value
-    std::map<std::string, int> lines;  // of the keys so far
+    std::optional<Node::Entry> key;    // key whose value has not been read yet
+    std::map<std::string, int> lines;  // line of each key that has been read
   };
 
-  // The text from a mark on; empty where the mark is outside. Marks count lines like the text does, but not bytes
-  // (carriage returns are missing).
+  // Returns the text from a mark on; empty if the mark is outside of the text. Uses line and column of the mark,
+  // because the mark's byte position is wrong: yaml-cpp removes carriage returns.
   std::string_view from(const YAML::Mark& mark) const {
     if (mark.is_null() || static_cast<std::size_t>(mark.line) >= line_starts_.size()) return {};
     const std::size_t position =
@@ -152,7 +186,7 @@ class Builder : public YAML::EventHandler {
 
   bool key_wanted() const { return !open_.empty() && open_.back().map && !open_.back().key; }
 
-  // A value that was left out has its mark at whatever comes next; it stands where its key does.
+  // yaml-cpp puts the mark of a missing value at the next token. So a missing value gets the Location of its key.
   Location null_place(const YAML::Mark& mark) const {
     const Location here = at(mark);
     if (open_.empty() || !open_.back().key) return here;
@@ -168,7 +202,7 @@ class Builder : public YAML::EventHandler {
     }
   }
 
-  // yaml-cpp takes a quote that is never closed as closed at the end of the file.
+  // Throws Error for a quoted text without a closing quote. yaml-cpp would accept this text without an error.
   void refuse_open_quote(const YAML::Mark& mark) const {
     const std::string_view rest = from(mark);
     if (rest.empty() || (rest[0] != '"' && rest[0] != '\'')) return;
@@ -213,17 +247,19 @@ class Builder : public YAML::EventHandler {
   void finish() {
     Open done = std::move(open_.back());
     open_.pop_back();
-    Node node = done.map ? Node::map(std::move(done.entries), done.where)
-                         : Node::sequence(std::move(done.elements), done.where);
-    remember(done.anchor, {node, done.extent});
-    add(std::move(node), done.extent);
+    add(done.map ? Node::map(std::move(done.entries), done.where)
+                 : Node::sequence(std::move(done.elements), done.where),
+        done.extent, done.anchor);
   }
 
-  void remember(YAML::anchor_t anchor, Anchored value) {
-    if (anchor != 0) anchors_.emplace(anchor, std::move(value));
+  void add_leaf(const YAML::Mark& mark, YAML::anchor_t anchor, Node node) {
+    count(mark);
+    add(std::move(node), {}, anchor);
   }
 
-  void add(Node node, Extent extent) {
+  // Adds a complete value to the innermost open map or sequence. anchor: 0 for a value without an anchor.
+  void add(Node node, Extent extent, YAML::anchor_t anchor = 0) {
+    if (anchor != 0) anchors_.emplace(anchor, Anchored{node, extent});
     if (open_.empty()) {
       root_ = std::move(node);
       return;
@@ -243,15 +279,15 @@ class Builder : public YAML::EventHandler {
   std::string_view text_;
   Location place_;
   bool fixed_;
-  std::vector<std::size_t> line_starts_;
+  std::vector<std::size_t> line_starts_{0};
   std::vector<Open> open_;
-  std::map<YAML::anchor_t, Anchored> anchors_;  // of complete values only
+  std::map<YAML::anchor_t, Anchored> anchors_;  // values with an anchor, stored when they are complete
   std::size_t nodes_ = 0;
   int documents_ = 0;
   Node root_;
 };
 
-// yaml-cpp speaks of its scanner; this is what the writer of the file did.
+// Translates a message of yaml-cpp, which describes its scanner, into a message about the document.
 std::string reworded(const std::string& message) {
   static const std::array<std::pair<std::string_view, std::string_view>, 17> words{{
       {YAML::ErrorMsg::END_OF_MAP_FLOW, "',' or '}' expected to continue or end the map"},
@@ -278,7 +314,7 @@ std::string reworded(const std::string& message) {
   return "not YAML: " + message;
 }
 
-// `key:value`, without the space that makes it key and value: YAML reads that as text, which goes on in the next line.
+// Returns whether no space follows the colon, as in `key:value`. YAML then joins the line with the next line.
 bool runs_together(std::string_view line) {
   const std::size_t colon = line.find(':');
   return colon != line.npos && colon + 1 < line.size() &&
@@ -290,7 +326,7 @@ bool leaves_bracket_open(std::string_view line) {
   return count('{') > count('}') || count('[') > count(']');
 }
 
-// A mistake of YAML is found after what it comes from: this says what that is, where it can be told.
+// Returns an Error at the cause of a mistake if the cause is known. yaml-cpp reports a mistake behind its cause.
 Error explained(const YAML::ParserException& error, const Builder& builder) {
   namespace They = YAML::ErrorMsg;
   const Location found = builder.at(error.mark);
@@ -325,7 +361,7 @@ Node build(std::string_view text, const Location& place, bool fixed) {
   } catch (const YAML::Exception& error) {
     throw Error(place, "not YAML: " + error.msg);
   }
-  return builder.seen() ? builder.take() : Node();
+  return builder.take();
 }
 
 }  // namespace
@@ -335,16 +371,14 @@ Node parse(const std::filesystem::path& file, const Location& asked_by) {
 }
 
 Node parse_text(std::string_view text, const std::string& name) {
-  if (text.size() > largest_file) {
-    throw Error({name, 0, 0}, fmt::format("larger than {} bytes", largest_file));
-  }
+  if (text.size() > largest_file) throw Error({name}, fmt::format("larger than {} bytes", largest_file));
   if (const auto flaw = encoding_flaw(text)) throw Error({name, flaw->line, flaw->column}, flaw->message);
-  Node document = build(text, {name, 0, 0}, false);
-  if (!document) throw Error({name, 0, 0}, "is empty");
+  Node document = build(text, {name}, false);
+  if (!document) throw Error({name}, "is empty");
   if (document.kind() == Node::Kind::null) throw Error(document.where(), "is empty");
-  if (document.kind() == Node::Kind::sequence) throw Error(document.where(), "expected a map at the top, not a list");
-  if (document.kind() == Node::Kind::scalar) throw Error(document.where(), "expected a map at the top, not text");
-  return document;
+  if (document.kind() == Node::Kind::map) return document;
+  const bool list = document.kind() == Node::Kind::sequence;
+  throw Error(document.where(), fmt::format("expected a map at the top, not {}", list ? "a list" : "text"));
 }
 
 Node parse_value(std::string_view text, const Location& where) {

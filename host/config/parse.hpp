@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// YAML text -> Node tree. A strict subset of YAML 1.2: one document, a map at its top, keys of plain text and unique,
-// no tags, no merge keys, aliases only while the whole stays small. Built on yaml-cpp's events, because its tree
-// accepts duplicate keys and expands aliases without bound.
+// Parses YAML text into a tree of nodes. Accepts a strict subset of YAML 1.2: one document with a map at its top,
+// unique keys of plain text, no tags, no merge keys, and aliases only while the expanded document stays small. Uses the
+// events of yaml-cpp, because the tree of yaml-cpp accepts duplicate keys and expands aliases without limit.
 #pragma once
 
 #include <cstddef>
@@ -13,18 +13,17 @@
 
 namespace regista::config {
 
-inline constexpr std::size_t largest_file = std::size_t{1} << 20;  // bytes
-inline constexpr std::size_t most_nodes = 50'000;                  // values in a document, aliases expanded
-inline constexpr int deepest = 64;                                 // maps and lists inside each other, aliases expanded
+inline constexpr std::size_t largest_file = std::size_t{1} << 20;  // largest size of a document, bytes
+inline constexpr std::size_t most_nodes = 50'000;                  // values in a document after expansion of aliases
+inline constexpr int deepest = 64;  // depth of nested maps and lists after expansion of aliases
 
-// Reads a file. Throws Error at `asked_by` when it cannot be opened (the file itself where that is not given), and
-// Error inside the file for everything that is wrong with it.
+// Reads a file. Throws Error at `asked_by` (default: at the file) for an unreadable file, or at a mistake in the file.
 Node parse(const std::filesystem::path& file, const Location& asked_by = {});
 
-// The same for a text in memory; `name` stands for the file in Locations.
+// Reads a text in memory like parse(). `name` becomes the file name in all Locations.
 Node parse_text(std::string_view text, const std::string& name);
 
-// One value of any kind, as it stands on the command line after "path=". Every Location is `where`.
+// Reads one YAML value of any kind, such as the text behind "path=" in --set. All Locations of the result are `where`.
 Node parse_value(std::string_view text, const Location& where);
 
 }  // namespace regista::config

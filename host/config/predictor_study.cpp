@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "config/predictor_study.hpp"
 
-#include <fmt/format.h>
-
-#include "config/plugin_use.hpp"
 #include "config/read.hpp"
+#include "config/team_document.hpp"
 
 namespace regista::config {
 
@@ -34,8 +32,7 @@ static Map declare(PredictorStudy::Observations& observations) {
 static Map declare(PredictorStudy::Questions& questions) {
   return {{
       integer("every", questions.every, {1, 1000000}, "1", "detection of an object at which the predictor is asked"),
-      numbers("horizons", Member<std::array<double, 4>>(questions.horizons), {0.001, 60}, "s",
-              "how far ahead it is asked", true),
+      numbers("horizons", questions.horizons, {0.001, 60}, "s", "how far ahead it is asked", true),
       real("tolerance", questions.tolerance, {0, 1}, "s", "the truth is the detection nearest in time, at most so far"),
       real("memory", questions.memory, {0, 600}, "s", "of observations before the question that it is shown"),
       real("step", questions.step, {0.001, 60}, "s", "longest step by which it is carried forward"),
@@ -71,17 +68,16 @@ Map declare(PredictorStudy& study) {
 void check(const PredictorStudy& study, const Node& document, Mistakes& mistakes) {
   using Format = PredictorStudy::Format;
   using Subject = PredictorStudy::Subject;
+  const Refusals wrong(document, mistakes);
   if (study.format == Format::ssl_ball && study.subject != Subject::ball) {
-    refuse(document, {"subject"}, "a recording of format ssl_ball tells of the ball alone", mistakes);
+    wrong({"subject"}, "a recording of format ssl_ball tells of the ball alone");
   }
   if (study.format == Format::ssl_robots && study.subject != Subject::opponents) {
-    refuse(document, {"subject"}, "a recording of format ssl_robots tells of robots alone", mistakes);
+    wrong({"subject"}, "a recording of format ssl_robots tells of robots alone");
   }
   if (study.questions.memory < study.baselines.window) {
-    refuse(document, {"questions.memory", "baselines.window"},
-           fmt::format("the predictor is shown less ({} s) than the baselines ({} s)", study.questions.memory,
-                       study.baselines.window),
-           mistakes);
+    wrong({"questions.memory", "baselines.window"}, "the predictor is shown less ({} s) than the baselines ({} s)",
+          study.questions.memory, study.baselines.window);
   }
 }
 

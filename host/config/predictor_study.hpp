@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A study of a predictor over a recording: which predictor, how the recording is read, what the predictor is shown of
-// it, what it is asked, and what it is compared with.
+// A study of a predictor over a recording. It states the predictor, the format of the recording, the observations that
+// the predictor receives, the questions to the predictor, and the baselines for comparison.
 #pragma once
 
 #include <array>
@@ -20,34 +20,34 @@ struct PredictorStudy {
     double length = 9.0, width = 6.0;  // m
   };
 
-  // What the recording's detections are like.
+  // Properties of the detections in the recording.
   struct Camera {
-    double noise = 0.01;  // m, standard deviation per axis of a detection
-    // m: all within it would have been seen, so that an absence is news; 0: the recording does not tell.
+    double noise = 0.01;  // m, standard deviation of a detection per axis
+    // m; within this distance of the centre, a missing detection means an absent object. 0: this is unknown.
     double range = 0.0;
   };
 
-  // What the predictor is shown of it, as if it came in packets.
+  // Which detections the predictor receives. It receives them in the form of observations in packets of robots.
   struct Observations {
-    double every = 0.0;  // s between two of an object; 0: all
-    double drop = 0.0;   // probability that one is lost on top
+    double every = 0.0;  // least time between two observations of an object, s; 0: all detections
+    double drop = 0.0;   // additional probability that an observation is lost
     int seed = 1;
   };
 
-  // When it is asked, and how far ahead.
+  // The times of the questions to the predictor, and the prediction horizons.
   struct Questions {
-    int every = 3;                                        // detections of an object
+    int every = 3;                                        // one question follows this many detections of an object
     std::array<double, 4> horizons{0.1, 0.25, 0.5, 1.0};  // s
-    double tolerance = 0.012;                             // s: the truth is the detection nearest in time, this near
-    double memory = 3.0;                                  // s of observations before the question that are shown
-    double step = 0.1;                                    // s: it is carried forward in steps of at most this
+    double tolerance = 0.012;  // s; the true place is the detection nearest in time, at most this much earlier or later
+    double memory = 3.0;       // the predictor receives the observations of this time before the question, s
+    double step = 0.1;         // largest time step of the prediction, s
   };
 
-  // Velocity by least squares; then onwards at that velocity, or losing it.
+  // Models for comparison. They estimate the velocity by least squares, and assume constant or decreasing velocity.
   struct Baselines {
-    double window = 0.15;  // s
-    int least = 4;         // observations in the window
-    // Exactly one of the two: a ball that rolls, or a robot that will stop.
+    double window = 0.15;  // s, time of the observations for the least squares
+    int least = 4;         // least number of observations in the window
+    // For decreasing velocity, exactly one value is set: deceleration (rolling ball) or time_constant (stopping robot).
     std::optional<double> deceleration;   // m/s^2
     std::optional<double> time_constant;  // s
   };
@@ -66,7 +66,7 @@ struct PredictorStudy {
 
 Map declare(PredictorStudy& study);
 
-// Throws Error at values of the document that are sound one by one, but not together.
+// Reports values of the document that are valid alone but contradict each other.
 void check(const PredictorStudy& study, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -1,67 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "config/read.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <system_error>
 
-#include "config/file.hpp"
+#include "config/overlay.hpp"
+#include "config/renamed_keys.hpp"
 #include "config/scalar.hpp"
 #include "texts/message.hpp"
-#include "texts/nearest.hpp"
 
 namespace regista::config {
 namespace {
 
-double real_in(const Node& node, const std::string& what, Range range, const std::string& unit) {
-  const double value = to_real(node, what);
-  if (value < range.least || value > range.most) {
-    throw Error(node.where(),
-                fmt::format("{}: {} is outside {}", what, texts::in_quotes(node.text()), range_text(range, unit)));
-  }
-  return value;
-}
-
-std::string inside(const std::string& what, const std::string& key) { return what.empty() ? key : what + '.' + key; }
-
-// Reads one value; `what` is its path.
+// Reads the value of one key. `what` is the path of the value.
 struct Reader {
   const Node& node;
   const std::string& what;
   Mistakes& mistakes;
 
   void operator()(const Real& real) const {
-    real.member.get() = real.scale * real_in(node, what, real.range, real.unit);
+    real.member.get() = real.scale * real_within(node, what, real.range, real.unit);
   }
 
   void operator()(const Integer& integer) const {
-    const std::int64_t value = to_integer(node, what);
-    if (value < static_cast<std::int64_t>(integer.range.least) ||
-        value > static_cast<std::int64_t>(integer.range.most)) {
-      throw Error(node.where(),
-                  fmt::format("{}: {} is outside {}", what, value, range_text(integer.range, integer.unit)));
-    }
-    integer.set(value);
+    integer.set(integer_within(node, what, integer.range, integer.unit));
   }
-
   void operator()(const Boolean& boolean) const { boolean.member.get() = to_boolean(node, what); }
   void operator()(const Name& name) const { name.member.get() = to_name(node, what); }
   void operator()(const File& file) const {
     std::error_code none;
-    // A document that is read back names no file where it means the built-in one.
+    // In a saved document every name is a file name, because a saved document has no key for built-in values.
     const bool is_built_in = !file.built_in.empty() && node.text() == file.built_in && mistakes.looks_for_files() &&
                              !std::filesystem::exists(named_file(node, what), none);
     file.member.get() = is_built_in ? std::string() : file_of(node);
   }
 
   void operator()(const Paths& paths) const {
-    const bool one = node.kind() == Node::Kind::scalar;
-    const std::vector<Node> single{node};
+    const std::vector<Node> one{node};
+    const bool is_list = node.kind() != Node::Kind::scalar;
     paths.members->clear();
-    for (const Node& each : one ? std::span<const Node>(single) : elements_of(node, what, "a list of paths")) {
+    for (const Node& each : is_list ? elements_of(node, what, "a list of paths") : std::span<const Node>(one)) {
       mistakes.attempt(what, [&] {
         std::error_code none;
         const bool folder = mistakes.looks_for_files() && std::filesystem::is_directory(named_file(each, what), none);
@@ -74,7 +53,7 @@ struct Reader {
 
   void operator()(const Choice& choice) const {
     const std::string asked = to_text(node, what);
-    const auto found = std::find(choice.names.begin(), choice.names.end(), asked);
+    const auto found = std::ranges::find(choice.names, asked);
     if (found == choice.names.end())
       throw Error(node.where(), what + ": " + texts::unknown("value", asked, "", choice.names));
     choice.set(static_cast<std::size_t>(found - choice.names.begin()));
@@ -88,10 +67,9 @@ struct Reader {
       throw Error(node.where(), fmt::format("{}: {} elements; expected {}", what, elements.size(), wanted));
     }
     const std::vector<double*> values = numbers.get();
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      const std::string path = fmt::format("{}.{}", what, i);
-      mistakes.attempt(path, [&] { *values[i] = real_in(elements[i], path, numbers.range, numbers.unit); });
-    }
+    attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t i) {
+      *values[i] = real_within(element, path, numbers.range, numbers.unit);
+    });
     if (!numbers.ascending || mistakes.doubtful(what)) return;
     for (std::size_t i = 1; i < elements.size(); ++i) {
       if (*values[i - 1] <= *values[i]) continue;
@@ -116,15 +94,11 @@ struct Reader {
     if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, "a list");
     check_count(node.elements().size(), list.least, list.most);
     list.clear();
-    for (std::size_t i = 0; i < node.elements().size(); ++i) {
-      const Node& element = node.elements()[i];
-      const std::string path = fmt::format("{}.{}", what, i);
-      const Map map = list.append();  // a mistaken element, too: others keep their places
-      mistakes.attempt(path, [&] {
-        if (element.kind() != Node::Kind::map) refuse_kind(element, path, "a map");
-        read(map, element, path, mistakes);
-      });
-    }
+    attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
+      const Map map = list.append();  // a wrong element is appended, too, so that later elements keep their index
+      if (element.kind() != Node::Kind::map) refuse_kind(element, path, "a map");
+      read(map, element, path, mistakes);
+    });
     check_names();
   }
 
@@ -138,12 +112,25 @@ struct Reader {
         const Field field = dictionary.append(name);
         const std::string path = inside(what, name);
         if (std::holds_alternative<List>(field.kind)) refuse_change_of_nothing(entry);
+        refuse_mistyped_name(entry);
         std::visit(Reader{entry.value, path, mistakes}, field.kind);
       });
     }
   }
 
-  // Absolute; of a document that is read back, as it stands there.
+  // Throws Error for an entry without plugin whose name is similar to the name of an entry with a plugin. The user
+  // probably wanted to change the entry with the plugin and mistyped its name.
+  void refuse_mistyped_name(const Node::Entry& entry) const {
+    if (entry.value.kind() != Node::Kind::map || entry.value["plugin"]) return;
+    std::vector<std::string> names;
+    for (const Node::Entry& each : node.entries()) {
+      if (each.value.kind() == Node::Kind::map && each.value["plugin"]) names.push_back(each.key);
+    }
+    if (!texts::nearest(entry.key, names).empty())
+      throw Error(entry.key_where, texts::unknown("name", entry.key, what, names));
+  }
+
+  // Returns the absolute path of the named file. For a saved document, returns the name as written.
   std::string file_of(const Node& named) const {
     if (!mistakes.looks_for_files()) return to_text(named, what);
     return existing_file(named, what).string();
@@ -154,7 +141,8 @@ struct Reader {
     throw Error(node.where(), fmt::format("{}: {} elements; expected {} to {}", what, count, least, most));
   }
 
-  // A map changes a list that another page has. One that is still there was laid over none.
+  // Throws Error for a map in place of a list. In a document with `extends`, such a map changes elements of the
+  // extended list. If the map is still there after the merge, no extended document has this list.
   void refuse_change_of_nothing(const Node::Entry& entry) const {
     if (entry.value.kind() != Node::Kind::map) return;
     std::vector<std::string> lists;
@@ -165,7 +153,7 @@ struct Reader {
                                      "; a map changes a list of the page that this one extends, a new one is a list");
   }
 
-  // Elements that have a name are addressed by it, so no two may share one.
+  // Throws Error if two elements have the same name, because names address the elements.
   void check_names() const {
     const std::span<const Node> elements = node.elements();
     for (std::size_t i = 0; i < elements.size(); ++i) {
@@ -183,14 +171,7 @@ struct Reader {
   }
 };
 
-std::vector<std::string> keys_of(const Map& map) {
-  std::vector<std::string> keys;
-  for (const Field& field : map.fields) keys.push_back(field.key);
-  return keys;
-}
-
-// What stands in the place of a key and its colon: `assigner {plugin` for `assigner: {plugin`, `priority:10` for
-// `priority: 10`.
+// A known key without a colon (`assigner {plugin`) or without a space behind it (`priority:10`). message: for the user.
 struct Run {
   std::string key, message;
 };
@@ -207,21 +188,26 @@ std::optional<Run> run_together(const std::string& written, const std::vector<st
 
 void check_known(const Node& node, const std::string& what, const std::vector<std::string>& keys, Mistakes& mistakes) {
   for (const Node::Entry& entry : node.entries()) {
-    if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
+    if (std::ranges::find(keys, entry.key) != keys.end()) continue;
+    if (const std::string_view present = present_name("", entry.key); std::ranges::find(keys, present) != keys.end()) {
+      mistakes.add(Error(entry.key_where, fmt::format("{}.{} is now {}", what, entry.key, present)),
+                   inside(what, entry.key));
+      continue;
+    }
     if (const std::optional<Run> run = run_together(entry.key, keys)) {
       mistakes.add(Error(entry.key_where, run->message), inside(what, run->key));
       continue;
     }
     mistakes.add(Error(entry.key_where, texts::unknown("key", entry.key, what, keys)), inside(what, entry.key));
-    // Who wrote `lenght` has not left out `length`.
+    // A misspelt key, such as `lenght`, must not also be reported as the missing key `length`.
     if (const std::string_view meant = texts::nearest(entry.key, keys); !meant.empty()) {
       mistakes.doubt(inside(what, std::string(meant)));
     }
   }
 }
 
-// Of keys that exclude each other: the one that was laid over the others by a page that extends theirs, or by --set.
-// Null when all were written together.
+// Of several keys of a map that may have only one of them, returns the key that --set or an extending document has laid
+// over the others. Returns null if all keys have the same source.
 const Node::Entry* laid_over(const Node& node, const std::vector<const Node::Entry*>& keys) {
   const auto by_option = [](const Node::Entry* each) { return each->value.where().is_laid(); };
   const auto here = [&](const Node::Entry* each) { return each->value.where().file == node.where().file; };
@@ -257,9 +243,9 @@ void check_exactly_one(const Map& map, const Node& node, const std::string& what
                inside(what, map.exactly_one.front()));
 }
 
-// What holds between the keys of a map.
+// Checks the keys of a map: unknown keys, missing keys, groups that allow one key, and keys that need another key.
 void check_keys(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes) {
-  check_known(node, what, keys_of(map), mistakes);
+  check_known(node, what, texts::names_of(map.fields, &Field::key), mistakes);
   const std::string in = what.empty() ? "" : " in " + what;
   for (const Field& field : map.fields) {
     const std::string path = inside(what, field.key);
@@ -285,7 +271,7 @@ void read(const Map& map, const Node& node, const std::string& what, Mistakes& m
     mistakes.attempt(path, [&] { std::visit(Reader{value, path, mistakes}, field.kind); });
   }
   if (map.where) {
-    // A plugin that the command line chose stands there, not where the page chose another one.
+    // If the command line chose the plugin, the Location of the map becomes that of the command line.
     const Node chosen = node["plugin"];
     *map.where = chosen && chosen.where().is_laid() ? chosen.where() : node.where();
     if (mistakes.doubtful(inside(what, "plugin")) || mistakes.doubtful(inside(what, "file"))) {
@@ -299,34 +285,11 @@ void read(const Map& map, const Node& node, const std::string& what) {
   read(map, node, what, first);
 }
 
-Node at(const Node& document, std::string_view path) {
-  Node node = document;
-  while (node && !path.empty()) {
-    const std::string_view key = path.substr(0, path.find('.'));
-    if (node.kind() == Node::Kind::sequence) {
-      const std::span<const Node> elements = node.elements();
-      std::size_t index = 0;
-      while (index < elements.size() && fmt::format("{}", index) != key) ++index;
-      node = index < elements.size() ? Node(elements[index]) : Node();
-    } else {
-      node = node[key];
-    }
-    path.remove_prefix(std::min(path.size(), key.size() + 1));
-  }
-  return node;
-}
-
 void refuse(const Node& document, std::initializer_list<std::string_view> paths, const std::string& reason) {
   for (const std::string_view path : paths) {
-    if (const Node value = at(document, path)) throw Error(value.where(), reason);
+    if (const Node value = value_at(document, path)) throw Error(value.where(), reason);
   }
   throw Error(document.where(), reason);
-}
-
-void refuse(const Node& document, std::initializer_list<std::string_view> paths, const std::string& reason,
-            Mistakes& mistakes) {
-  if (std::ranges::any_of(paths, [&](std::string_view path) { return mistakes.doubtful(path); })) return;
-  mistakes.attempt(*paths.begin(), [&] { refuse(document, paths, reason); });
 }
 
 }  // namespace regista::config

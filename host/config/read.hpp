@@ -1,35 +1,65 @@
 // SPDX-License-Identifier: MIT
-// A located document -> the object that a declaration is bound to.
+// Reads a document into the object of a declaration.
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "config/declaration.hpp"
-#include "config/mistakes.hpp"
+#include "config/errors.hpp"
 #include "config/node.hpp"
 
 namespace regista::config {
 
-// Fills what the declaration is bound to. Tells of every value that is not as declared. `what` is the path of the map,
-// "" at the top of a document. Members whose key is missing or whose value is mistaken keep their value; a list has an
-// element for each of the document's, a mistaken one too.
+// Fills the declared object and reports every value that contradicts its declaration. `what` is the path of the map, ""
+// for the whole document. A member keeps its value if the document's value is missing or wrong. A list gets one element
+// for each element of the document's list, also for a wrong element.
 void read(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes);
 
-// Throws Error at the first of them.
+// Fills the declared object; throws Error at the first mistake.
 void read(const Map& map, const Node& node, const std::string& what = "");
 
-// What stands at a dotted path of a document (list elements by index); absent where there is nothing.
-Node at(const Node& document, std::string_view path);
+// Returns the path of a key inside of a map.
+inline std::string inside(const std::string& map, const std::string& key) {
+  return map.empty() ? key : map + '.' + key;
+}
 
-// Throws Error for a value that is sound by itself but cannot be played: at the first of the paths that the document
-// has, at the whole document where none of them is.
+// Runs step(element, path, index) for each element of a list. With After::go_on, a mistake does not end the loop.
+template <class Step>
+void attempt_each(const Node& list, std::string_view what, Mistakes& mistakes, Step step) {
+  for (std::size_t i = 0; i < list.elements().size(); ++i) {
+    const std::string path = fmt::format("{}.{}", what, i);
+    mistakes.attempt(path, [&] { step(list.elements()[i], path, i); });
+  }
+}
+
+// Throws Error for values that are valid alone but contradict each other. The place of the Error is the first path of
+// `paths` that exists in the document, otherwise the document.
 [[noreturn]] void refuse(const Node& document, std::initializer_list<std::string_view> paths,
                          const std::string& reason);
 
-// The same as a mistake; nothing where one of the paths, by which it was found out, is doubtful itself.
-void refuse(const Node& document, std::initializer_list<std::string_view> paths, const std::string& reason,
-            Mistakes& mistakes);
+// Reports contradicting values at the place that refuse() chooses, but not if a value at a path is wrong or unknown.
+class Refusals {
+ public:
+  Refusals(const Node& document, Mistakes& mistakes) : document_(document), mistakes_(mistakes) {}
+
+  template <class... Values>
+  void operator()(std::initializer_list<std::string_view> paths, fmt::format_string<Values...> reason,
+                  Values&&... values) const {
+    if (std::ranges::any_of(paths, [&](std::string_view path) { return mistakes_.doubtful(path); })) return;
+    const std::string message = fmt::format(reason, std::forward<Values>(values)...);
+    mistakes_.attempt(*paths.begin(), [&] { refuse(document_, paths, message); });
+  }
+
+ private:
+  const Node& document_;
+  Mistakes& mistakes_;
+};
 
 }  // namespace regista::config

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the text of a YAML value means, by the core schema of YAML 1.2 less everything that two readers could take
-// differently: no octal or hexadecimal numbers, no leading zeros, no yes/no, nothing that is not finite.
+// Converts the text of a YAML value to a number, boolean or text. Follows the core schema of YAML 1.2 without its
+// ambiguous forms: no octal or hexadecimal numbers, no leading zeros, no yes/no, finite numbers only.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,27 +13,49 @@
 
 namespace regista::config {
 
-// Each throws Error at the node, "what: reason", where the node is anything else. `what` is the path of the value, such
-// as "field.length".
+// Each function throws Error ("what: reason") if the node is not of its type. `what` is a path such as "field.length".
 double to_real(const Node& node, std::string_view what);
 std::int64_t to_integer(const Node& node, std::string_view what);
 bool to_boolean(const Node& node, std::string_view what);
 std::string to_text(const Node& node, std::string_view what);
+std::string to_line(const Node& node, std::string_view what);  // a text of one line
 
-// A name of something: a letter, then letters, digits, '_' and '-'.
+struct Range {
+  double least, most;  // closed range
+};
+
+// Returns text such as "0 to 1.5 m". `unit` is "1" or "" for numbers without a unit.
+std::string range_text(Range range, std::string_view unit);
+
+// These functions also throw Error for a number outside of the range.
+double real_within(const Node& node, std::string_view what, Range range, std::string_view unit);
+std::int64_t integer_within(const Node& node, std::string_view what, Range range, std::string_view unit);
+
+// Reads a name: a letter, then letters, digits, '_' and '-'.
 std::string to_name(const Node& node, std::string_view what);
 inline constexpr std::string_view name_pattern = "^[A-Za-z][A-Za-z0-9_-]*$";
 
-// What a node is, for messages: "a map", "a list", "nothing", `"abc"`.
+// Describes a node for messages: "a map", "a list", "nothing", `"abc"`.
 std::string described(const Node& node);
 
-// Throws Error at the node, "what: <described>; <wanted> is wanted".
+// Throws Error at the node, "what: <described>; expected <wanted>".
 [[noreturn]] void refuse_kind(const Node& node, std::string_view what, std::string_view wanted);
 
-// Those of a list that has some. Throws Error at the node, as refuse_kind does, or for an empty list.
+// Returns the elements of a list. Throws Error like refuse_kind() if the node is no list or an empty list.
 std::span<const Node> elements_of(const Node& node, std::string_view what, std::string_view wanted);
 
-// The shortest text that to_real reads as exactly this number.
+// Returns the shortest text that to_real() reads as exactly this number.
 std::string real_text(double value);
+
+// --- Numbers of a command line. The message of BadInput begins with the name of the option.
+
+// Returns the number if the text is exactly one finite number; otherwise nothing.
+std::optional<double> typed_number(std::string_view text);
+
+// Reads a number above 0 and below 1. Throws BadInput.
+double parse_rate(const std::string& option, const std::string& text);
+
+// Reads a number in [least, most] that consists only of decimal digits. Throws BadInput.
+std::uint64_t parse_whole(const std::string& option, const std::string& text, std::uint64_t least, std::uint64_t most);
 
 }  // namespace regista::config

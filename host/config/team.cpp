@@ -3,15 +3,47 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "config/documents.hpp"
 #include "config/overlay.hpp"
 #include "config/read.hpp"
-#include "config/team_page.hpp"
+#include "config/team_document.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
+
+std::span<const std::string> anchor_names() {
+  static const std::array<std::string, static_cast<std::size_t>(Anchor::point)> names{
+      "ball",           "ball_rest", "own_goal",         "opponent_goal",        "own_left_post",
+      "own_right_post", "centre",    "own_penalty_mark", "opponent_penalty_mark"};
+  return names;
+}
+
+Place to_place(const Node& node, std::string_view what) {
+  if (node.kind() == Node::Kind::scalar) {
+    const std::span<const std::string> names = anchor_names();
+    const auto found = std::ranges::find(names, node.text());
+    if (found != names.end()) return {static_cast<Anchor>(found - names.begin()), {}};
+    throw Error(node.where(), fmt::format("{}: {}", what, texts::unknown("place", node.text(), "", names)));
+  }
+  constexpr std::string_view wanted = "the name of a place or [x, y]";
+  if (node.kind() != Node::Kind::sequence) refuse_kind(node, what, wanted);
+  if (node.elements().size() != 2) {
+    throw Error(node.where(), fmt::format("{}: {} elements; expected {}", what, node.elements().size(), wanted));
+  }
+  Place place{Anchor::point, {}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    place.point[i] = real_within(node.elements()[i], fmt::format("{}.{}", what, i), coordinates, "m");
+  }
+  return place;
+}
+
+Node written(const Place& place) {
+  if (place.anchor != Anchor::point) {
+    return Node::scalar(anchor_names()[static_cast<std::size_t>(place.anchor)]);
+  }
+  return sequence_of(place.point, [](double each) { return Node::scalar(real_text(each)); });
+}
+
 namespace {
 
 bool same_place(const Place& a, const Place& b) { return a.anchor == b.anchor && a.point == b.point; }
@@ -35,27 +67,27 @@ void check_target(const TargetRule& target, const Node& node, const std::string&
   }
 }
 
-// The behaviour of a role that does not name one.
 std::string usual_behaviour(const Role& role) {
   const TargetRule& target = role.target;
-  const bool moved = target.shift != std::array<double, 2>{} || target.across;
+  const bool moved = target.shift != std::array<double, 2>{} || target.lateral;
   if (target.at && target.at->anchor == Anchor::ball && !moved) return "play_ball";
   return role.name == "goalkeeper" ? "keep_goal" : "support";
 }
 
-// The worlds of waypoints and filter where the page does not say them.
+// Sets waypoints_knowledge and filter_knowledge to tasks.knowledge if the document does not have them.
 void follow(TaskRules& tasks, const Node& written) {
   if (!written["waypoints_knowledge"]) tasks.waypoints_knowledge = tasks.knowledge;
   if (!written["filter_knowledge"]) tasks.filter_knowledge = tasks.knowledge;
 }
 
-// Numbers of roles are named by the role, and those of plugins begin with these words.
+// Reports a role that has one of two reserved names. The names of plugins' metrics begin with these two words, and the
+// names of other metrics begin with the name of a role.
 void check_name(const std::string& name, const Location& where, const std::string& path, Mistakes& mistakes) {
   if (name != "plugin_totals" && name != "plugin_values") return;
   mistakes.add(Error(where, fmt::format("{}: metrics of plugins are called so; choose another name", name)), path);
 }
 
-void check_roles(TeamPage& page, const Node& document, Mistakes& mistakes) {
+void check_roles(TeamDocument& page, const Node& document, Mistakes& mistakes) {
   for (RoleList& list : page.role_lists) {
     const Node roles = document["roles"][list.name];
     check_name(list.name, roles.where(), "roles." + list.name, mistakes);
@@ -71,7 +103,7 @@ void check_roles(TeamPage& page, const Node& document, Mistakes& mistakes) {
   }
 }
 
-void check_priorities(const TeamPage& page, const Node& document, Mistakes& mistakes) {
+void check_priorities(const TeamDocument& page, const Node& document, Mistakes& mistakes) {
   const std::vector<ContextPage>& contexts = page.contexts;
   const auto path = [](std::size_t i) { return fmt::format("contexts.{}.priority", i); };
   for (std::size_t i = 0; i < contexts.size(); ++i) {
@@ -88,45 +120,43 @@ void check_priorities(const TeamPage& page, const Node& document, Mistakes& mist
   }
 }
 
-// The part of a document that `use:` can change.
+std::string first_of(const std::string& path) { return path.substr(0, path.find('.')); }
+
+bool is_usable(const std::string& key) { return std::ranges::find(usable_keys(), key) != usable_keys().end(); }
+
+// Returns the part of a document that can be changed by `use:`, without `roles` and `targets`.
 Node coordination_of(const Node& document) {
   std::vector<Node::Entry> entries;
   for (const Node::Entry& entry : document.entries()) {
-    const bool usable = entry.key != "roles" && entry.key != "targets" &&
-                        std::count(usable_keys().begin(), usable_keys().end(), entry.key) > 0;
-    if (usable) entries.push_back(entry);
+    if (entry.key != "roles" && entry.key != "targets" && is_usable(entry.key)) entries.push_back(entry);
   }
   return Node::map(std::move(entries), document.where());
 }
 
-int role_list_named(const Node& value, const TeamPage& page, const std::string& what) {
-  std::vector<std::string> names;
-  for (const RoleList& list : page.role_lists) names.push_back(list.name);
+int role_list_named(const Node& value, const TeamDocument& page, const std::string& what) {
+  const std::vector<std::string> names = texts::names_of(page.role_lists, &RoleList::name);
   if (value.kind() != Node::Kind::scalar) throw Error(value.where(), what + ": expected the name of a list of roles");
-  const auto found = std::find(names.begin(), names.end(), value.text());
+  const auto found = std::ranges::find(names, value.text());
   if (found == names.end()) throw Error(value.where(), texts::unknown("list of roles", value.text(), "", names));
   return static_cast<int>(found - names.begin());
 }
 
-// A value of a term that is not there, "utility.terms.distnce.weight", in words; empty where all is well.
+// Returns the error text for a path to a missing term, such as "utility.terms.distnce.weight"; otherwise an empty text.
 std::string unknown_term(std::string_view key, const Node& values) {
   constexpr std::string_view terms = "utility.terms.";
   if (!key.starts_with(terms)) return {};
   const std::string_view rest = key.substr(terms.size()), term = rest.substr(0, rest.find('.'));
   const Node known = values["utility"]["terms"];
   if (term.size() == rest.size() || known[term]) return {};
-  std::vector<std::string> names;
-  for (const Node::Entry& each : known.entries()) names.push_back(each.key);
-  return texts::unknown("term", term, "utility.terms", names);
+  return texts::unknown("term", term, "utility.terms", texts::names_of(known.entries(), &Node::Entry::key));
 }
 
-// The targets of a context, by place in its list of roles. `targets`: a map from roles to where they are played.
+// Reads the targets of a context into context.targets, by index in `list`. `targets`: a map from roles to targets.
 void read_targets(const Node& targets, const RoleList& list, const std::string& what, Context& context,
                   Mistakes& mistakes) {
   std::vector<RoleTarget> read_ones;
   read(declare(read_ones), Node::map({{"targets", targets.where(), targets}}, targets.where()), what, mistakes);
-  std::vector<std::string> names;
-  for (const Role& role : list.roles) names.push_back(role.name);
+  const std::vector<std::string> names = texts::names_of(list.roles, &Role::name);
   context.targets.resize(list.roles.size());
   for (const RoleTarget& each : read_ones) {
     const std::string path = fmt::format("{}.targets.{}", what, each.name);
@@ -141,21 +171,19 @@ void read_targets(const Node& targets, const RoleList& list, const std::string& 
   }
 }
 
-// `what`: the path of the context's `use:`.
-Context resolved(const ContextPage& written, const Node& document, const TeamPage& page, const std::string& what,
+// Returns the context with its `use:` laid over the team's values. `what`: the path of this `use:`.
+Context resolved(const ContextPage& written, const Node& document, const TeamDocument& page, const std::string& what,
                  Mistakes& mistakes) {
   Context context;
   Node values = coordination_of(document);
   bool list_known = !mistakes.mistaken("roles");
   for (const Node::Entry& entry : written.use.entries()) {
-    const std::string first = entry.key.substr(0, entry.key.find('.'));
+    const std::string first = first_of(entry.key);
     mistakes.attempt(what, [&] {
-      if (std::count(usable_keys().begin(), usable_keys().end(), first) == 0) {
-        throw Error(entry.key_where, texts::unknown("key", first, what, usable_keys()));
-      }
+      if (!is_usable(first)) throw Error(entry.key_where, texts::unknown("key", first, what, usable_keys()));
       if (entry.key == "roles") {
         list_known = false;
-        // A list that could not be read may be the one that is meant.
+        // If a role list could not be read, an unknown name may be the name of this list.
         const bool all_lists =
             !mistakes.mistaken("roles") && page.role_lists.size() == document["roles"].entries().size();
         if (!all_lists && entry.value.kind() == Node::Kind::scalar) return;
@@ -164,7 +192,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
       } else if (first == "roles") {
         throw Error(entry.key_where, what + ": roles takes the name of a list and has no parts");
       } else if (first == "targets") {
-        // Read below, once the list of roles is known.
+        // The targets are read below, because they need the role list.
       } else if (const std::string term = unknown_term(entry.key, values); !term.empty()) {
         throw Error(entry.key_where, term);
       } else if (!mistakes.mistaken(entry.key.substr(0, entry.key.rfind('.'))) || first == entry.key) {
@@ -200,7 +228,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamPag
 Node targets_of(const Node& use) {
   Node out;
   for (const Node::Entry& entry : use.entries()) {
-    if (entry.key.substr(0, entry.key.find('.')) != "targets") continue;
+    if (first_of(entry.key) != "targets") continue;
     out = with(out ? out : Node::map({}, entry.key_where), entry.key, entry.value, entry.key_where);
   }
   return out["targets"];
@@ -209,14 +237,14 @@ Node targets_of(const Node& use) {
 Node in_context(const Node& document, const Node& use) {
   Node values = coordination_of(document);
   for (const Node::Entry& entry : use.entries()) {
-    const std::string_view first = std::string_view(entry.key).substr(0, entry.key.find('.'));
+    const std::string first = first_of(entry.key);
     if (first != "roles" && first != "targets") values = with(values, entry.key, entry.value, entry.key_where);
   }
   return values;
 }
 
-TeamPage read_team_page(const Node& document, Mistakes& mistakes) {
-  TeamPage page;
+TeamDocument read_team_document(const Node& document, Mistakes& mistakes) {
+  TeamDocument page;
   read(declare(page), document, "", mistakes);
   follow(page.coordination.tasks, document["tasks"]);
   check_roles(page, document, mistakes);
@@ -224,25 +252,24 @@ TeamPage read_team_page(const Node& document, Mistakes& mistakes) {
   return page;
 }
 
-TeamPage read_team_page(const Node& document) {
+TeamDocument read_team_document(const Node& document) {
   Mistakes first(Mistakes::After::stop);
-  return read_team_page(document, first);
+  return read_team_document(document, first);
 }
 
 template <>
 Team read_document<Team>(const Node& document, Mistakes& mistakes) {
   require_kind(document, DocumentKind::team);
-  TeamPage page = read_team_page(document, mistakes);
+  TeamDocument page = read_team_document(document, mistakes);
   Team team;
   const Mistakes of_page = mistakes;
   for (std::size_t i = 0; i < page.contexts.size(); ++i) {
-    // What one context gets wrong about a value of the team says nothing of that value in another.
+    // A mistake that one context causes in a value of the team must not affect the other contexts.
     Mistakes of_context = of_page;
     team.contexts.push_back(resolved(page.contexts[i], document, page, fmt::format("contexts.{}.use", i), of_context));
     mistakes.take_over(of_context);
   }
-  std::stable_sort(team.contexts.begin(), team.contexts.end(),
-                   [](const Context& a, const Context& b) { return a.priority > b.priority; });
+  std::ranges::stable_sort(team.contexts, std::ranges::greater(), &Context::priority);
   team.name = page.name;
   team.file = document.where().file;
   team.self = std::move(page.predictors.self);

@@ -1,111 +1,147 @@
 // SPDX-License-Identifier: MIT
-// A team as its YAML page says it: which plugins, which contexts, which roles, which weights. Values only; plugins are
-// named, not opened (host/plugin does that), and their parameters stay located YAML until their declaration is known.
-// The system is Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot Soccer
-// Environment with Limited Communication", 2023.
+// The values of a team's document: plugins, contexts, roles, weights. Plugins are named here, but not opened. Their
+// parameters stay YAML until host/plugin reads them. The coordination method is from Affinita et al., "Multi-Agent
+// Coordination for a Partially Observable and Dynamic Robot Soccer Environment with Limited Communication", 2023.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/node.hpp"
-#include "config/place.hpp"
+#include "config/scalar.hpp"
 
 namespace regista::config {
 
-// `{plugin: greedy, file: old/greedy.so, params: {...}}`
+// --- Points of the field in a team's document: an anchor ("ball", "own_left_post") or coordinates [x, y] in metres of
+// the field frame (origin in the centre, x towards the opponent's goal, y to the left).
+
+enum class Anchor {
+  ball,
+  ball_rest,
+  own_goal,
+  opponent_goal,
+  own_left_post,
+  own_right_post,
+  centre,
+  own_penalty_mark,
+  opponent_penalty_mark,
+  point,
+};
+
+struct Place {
+  Anchor anchor = Anchor::centre;
+  std::array<double, 2> point{};  // only for the anchor `point`
+};
+
+// Returns the names of all anchors except `point`, in the order of the enumeration.
+std::span<const std::string> anchor_names();
+
+// Reads `ball` or [x, y]. Throws Error at the node, "what: reason".
+Place to_place(const Node& node, std::string_view what);
+
+// Writes a place in the form that to_place() reads.
+Node written(const Place& place);
+
+inline constexpr Range coordinates{-100.0, 100.0};  // m, range of the coordinates of a point
+
+// A plugin in a team's document: `{plugin: greedy, file: old/greedy.so, params: {...}}`
 struct PluginUse {
   std::string plugin;  // id; empty only for the positioner of a team without waypoints
-  std::string file;    // pinned shared object, absolute; empty: whatever the search finds
+  std::string file;    // absolute path of a pinned shared object; empty: the plugin search chooses
   Node params;         // map, or absent
   Location where;
 };
 
+// What a computation uses: the robot's own knowledge, or the common knowledge of all robots of the team.
 enum class Knowledge { mine, common };
 
-// On the segment between two places, so far from its second end. m
+// The point on the segment from `from` to `to` at distance_from_to from `to`, m.
 struct OnLine {
   Place from, to;
   double distance_from_to = 0.0;
 };
 
-// Where the line from `from` to `towards` enters a circle whose radius grows with the distance of `from`. m
+// The point where the line from `from` to `towards` enters a circle around `centre`, m. The radius of the circle grows
+// from least_radius to largest_radius as the distance of `from` grows from least_distance to largest_distance.
 struct OnCircle {
   Place from, towards, centre;
   double least_radius = 0.8, largest_radius = 1.3;
-  double least_distance = 1.0, largest_distance = 8.0;  // of `from` from the centre, between which it grows
+  double least_distance = 1.0, largest_distance = 8.0;
 };
 
-// Where a role is played, as data. Steps are applied from top to bottom; the result is a point of the field frame.
+// The rule for the place of a role: a point in the field frame, m. The members apply in the order of declaration.
 struct TargetRule {
   using OnLine = config::OnLine;
   using OnCircle = config::OnCircle;
 
-  // Exactly one of the three gives the point to start from:
+  // Exactly one of the next three members is set. It gives the first point, which the later members change.
   std::optional<Place> at;
   std::optional<OnLine> on_line;
   std::optional<OnCircle> on_circle;
 
-  std::array<double, 2> shift{};                // m
-  std::optional<double> across;                 // then y := -sign(y of the ball) * across: the far side, if > 0
-  std::optional<std::array<double, 4>> within;  // x_min, x_max, y_min, y_max
+  std::array<double, 2> shift{};  // added to the point, m
+  std::optional<double> lateral;  // sets y to -sign(y of the ball) * lateral, m; > 0: the side opposite to the ball
+  std::optional<std::array<double, 4>> within;  // limits x_min, x_max, y_min, y_max, m
   Place facing{Anchor::ball, {}};
-  std::optional<Place> without_ball;  // used instead while nobody knows the ball
+  std::optional<Place> without_ball;  // replaces the point while no robot knows the ball
 };
 
-// How roles act that name it.
+// A behaviour that roles may name. Its plugin chooses the actions of a robot with such a role.
 struct Behaviour {
   std::string name;
-  PluginUse use;  // unless the page says it, the plugin of that name
+  PluginUse use;  // default: the plugin with this name
 };
 
 struct Role {
   std::string name;
-  int robot = 0;  // shirt number that alone may take it; 0 = any
+  int robot = 0;  // shirt number of the only robot that may take the role; 0: any robot
   bool required = false;
-  bool offset = true;  // may be moved towards a waypoint
-  int group = -1;      // at most one role of a group per robot; -1 = none
-  // Name of a behaviour. Unless the page says it: play_ball for a target that is the unmoved ball, keep_goal for the
-  // role named goalkeeper, support for all others.
+  bool offset = true;  // true: the role's place may move towards a waypoint
+  int group = -1;      // a robot takes at most one role of a group; -1: no group
+  // Name of the behaviour. The default is play_ball if the target is the ball without `shift` and `lateral`, otherwise
+  // keep_goal for the role `goalkeeper`, otherwise support.
   std::string behaviour = "support";
   TargetRule target;
   Location where, behaviour_where;
 };
 
 struct RoleList {
-  std::string name;         // role names are unique in a list; the same name may stand in several lists
-  std::vector<Role> roles;  // in order of importance
+  std::string name;
+  std::vector<Role> roles;  // in order of importance; names are unique in this list only
 };
 
 struct UtilityTerm {
   std::string name;
   PluginUse use;
   double weight = 1.0;
-  std::optional<std::array<double, 2>> tune;  // range for the tuner
+  std::optional<std::array<double, 2>> tune;  // range of the weight for the tuner
   Location where;
 };
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double hysteresis = 0.0;      // m: a task that a robot is said to play counts as so much nearer to the waypoints
-  double offset_at_most = 0.5;  // m, 0 = off
-  Knowledge knowledge = Knowledge::mine;  // that tasks are placed in
-  // That the positioner sees and that tasks are chosen in; unless the page says it, as `knowledge`.
+  double hysteresis = 0.0;      // m; a task that a robot reports to play counts as so much nearer to a waypoint
+  double offset_at_most = 0.5;  // largest offset of a role's place, m; 0: no offset
+  Knowledge knowledge = Knowledge::mine;  // knowledge for the placement of tasks
+  // Knowledge for the positioner and for the choice of tasks. Default: `knowledge`.
   Knowledge waypoints_knowledge = Knowledge::mine, filter_knowledge = Knowledge::mine;
   bool walk_along_edges = false;
 };
 
-// What is in force while a context holds. The values are the team's own with the context's `use:` laid over.
+// The values that are in force while a context holds: the values of the team, with the context's `use:` laid over them.
 struct Context {
   std::string name;
   int priority = 0;
   PluginUse use;
-  Knowledge knowledge = Knowledge::mine;  // that the condition is asked about
-  int role_list = 0;                      // index into Team::role_lists; `use: {roles: NAME}`, else the first
-  // By place in that list; nothing: the role's own. Empty when it moves none (`use: {targets: {ROLE: ...}}`).
+  Knowledge knowledge = Knowledge::mine;  // knowledge for the condition of the context
+  int role_list = 0;  // index into Team::role_lists, from `use: {roles: NAME}`; by default the first list
+  // Targets by index of the role in this role list. A missing element means the role's own target. Empty if the context
+  // changes no target (`use: {targets: {ROLE: ...}}`).
   std::vector<std::optional<TargetRule>> targets;
   PluginUse positioner;
   TaskRules tasks;
@@ -115,35 +151,33 @@ struct Context {
   PluginUse sender;
   Location where;
 
-  // Where the role at this place of the list is played.
+  // Returns the target of `role`, which has the index `place` in the role list.
   const TargetRule& target_of(std::size_t place, const Role& role) const {
     return place < targets.size() && targets[place] ? *targets[place] : role.target;
   }
 
-  // Something in it is computed on what all robots know.
+  // Returns whether any computation uses the common knowledge of the robots.
   bool uses_common() const {
     const auto any = {knowledge, tasks.knowledge, tasks.waypoints_knowledge, tasks.filter_knowledge, utility_knowledge};
-    return std::find(any.begin(), any.end(), Knowledge::common) != any.end();
+    return std::ranges::find(any, Knowledge::common) != any.end();
   }
 };
 
 struct Team {
   std::string name;
-  std::string file;                            // where it was read
+  std::string file;                            // path of the document
   PluginUse self, ball, opponents, teammates;  // predictors
-  double forget_teammate_after = 25.0;         // s of silence until a teammate is given up
+  double forget_teammate_after = 25.0;         // s of silence until a robot forgets a teammate
   std::vector<RoleList> role_lists;
-  std::vector<Behaviour> behaviours;  // those that the page says something of
+  std::vector<Behaviour> behaviours;  // behaviours with an entry in the document
   std::string behaviour_without_role = "search";
-  std::vector<Context> contexts;  // highest priority first; the first that holds is in force
+  std::vector<Context> contexts;  // highest priority first; the first context that holds is in force
   Location where, behaviour_without_role_where;
 
-  // What is meant by the name of a behaviour. `where`: it was written there.
+  // Returns the plugin of the behaviour `wanted`; without an entry in the document the plugin of this name, at `place`.
   PluginUse behaviour_named(const std::string& wanted, const Location& place) const {
-    for (const Behaviour& each : behaviours) {
-      if (each.name == wanted) return each.use;
-    }
-    return {wanted, "", {}, place};
+    const auto found = std::ranges::find(behaviours, wanted, &Behaviour::name);
+    return found == behaviours.end() ? PluginUse{wanted, "", {}, place} : found->use;
   }
 };
 

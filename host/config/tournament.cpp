@@ -1,37 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "config/tournament.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-
-#include "config/file.hpp"
-#include "config/line.hpp"
+#include "config/overlay.hpp"
 #include "config/read.hpp"
 
 namespace regista::config {
 
 static Map declare(Tournament::Team& team) {
-  return {.fields = {required(file("team", team.team, "the team")),
-                     file("disturbance", team.disturbance, "of this team alone; without it that of all teams")},
-          .where = &team.where};
+  return {{required(file("team", team.team, "the team")),
+           file("disturbance", team.disturbance, "of this team alone; without it that of all teams")},
+          &team.where};
 }
 
 static Map declare(TournamentTest& test) {
-  return {.fields =
-              {
-                  numbers("elo", Member<std::array<double, 2>>(test.elo), {-4000, 4000}, "1",
-                          "strengths of the first team that the scores of pairs are to tell apart, the smaller first",
-                          true),
-                  choice("model", test.model, {"normalized", "logistic"}, "what `elo` is in"),
-                  line("metric", test.metric, "`goals`, or a number of a match, of which a difference is looked for"),
-                  real("alpha", test.alpha, {1e-6, 0.5}, "1", "rate of finding a difference in error"),
-                  real("beta", test.beta, {1e-6, 0.5}, "1", "with `elo`: rate of missing it; without it 0.05"),
-              },
-          .where = &test.where,
-          .exactly_one = {"elo", "metric"},
-          .needs = {{{"beta", "elo"}}}};
+  return {
+      {
+          numbers("elo", test.elo, {-4000, 4000}, "1",
+                  "strengths of the first team that the scores of pairs are to tell apart, the smaller first", true),
+          choice("model", test.model, {"normalized", "logistic"}, "what `elo` is in"),
+          line("metric", test.metric, "`goals`, or a number of a match, of which a difference is looked for"),
+          real("alpha", test.alpha, {1e-6, 0.5}, "1", "rate of finding a difference in error"),
+          real("beta", test.beta, {1e-6, 0.5}, "1", "with `elo`: rate of missing it; without it 0.05"),
+      },
+      &test.where,
+      {"elo", "metric"},
+      {{{"beta", "elo"}}}};
 }
 
 Map declare(Tournament& tournament) {
@@ -45,7 +38,8 @@ Map declare(Tournament& tournament) {
           integer("pairs", tournament.pairs, {1, 10000000}, "1",
                   "of matches with the sides swapped, of each pairing; with a test: at most"),
           section("test", tournament.test, "a sequential test between two teams; without it all pairs are played"),
-          integer("seed", tournament.seed, {0, largest_seed}, "1", "of the first pair of matches"),
+          integer("seed", tournament.seed, {0, largest_seed}, "1",
+                  "of the pairs of matches; the same seed plays the same"),
           profile("disturbance", tournament.disturbance, "none", "of all teams; `none` is built in"),
           integer("failures_in_a_row", tournament.failures_in_a_row, {0, 1000000}, "1",
                   "forfeits by the same plugin after which a team is set aside; 0: never"),
@@ -56,33 +50,32 @@ Map declare(Tournament& tournament) {
 }
 
 void check(const Tournament& tournament, const Node& document, Mistakes& mistakes) {
-  if (tournament.test && tournament.teams.size() > 2) {
-    refuse(document, {"test", "teams"},
-           fmt::format("test: a sequential test is between two teams, and there are {}; pairs alone rank more of them",
-                       tournament.teams.size()),
-           mistakes);
+  const Refusals wrong(document, mistakes);
+  const std::optional<TournamentTest>& test = tournament.test;
+  if (test && tournament.teams.size() > 2) {
+    wrong({"test", "teams"},
+          "test: a sequential test is between two teams, and there are {}; pairs alone rank more of them",
+          tournament.teams.size());
   }
-  const bool ends_by_itself = tournament.test && tournament.test->elo;
+  const bool ends_by_itself = test && test->elo;
   if (!tournament.pairs && !ends_by_itself) {
-    mistakes.add(Error(document.where(), tournament.test
-                                             ? "pairs: how many at most? Equal teams would play on for ever"
-                                             : "pairs: how many are played? Or name a test that ends by itself: `test: "
-                                               "{elo: [0, 20]}`"),
+    mistakes.add(Error(document.where(), test ? "pairs: how many at most? Equal teams would play on for ever"
+                                              : "pairs: how many are played? Or name a test that ends by itself: "
+                                                "`test: {elo: [0, 20]}`"),
                  "pairs");
   }
-  if (tournament.test && !ends_by_itself) {
-    if (tournament.test->metric.empty() && !mistakes.doubtful("test")) {
-      refuse(document, {"test.metric"}, "test.metric: expected `goals`, or a number of a match", mistakes);
+  if (test && !ends_by_itself) {
+    if (test->metric.empty() && !mistakes.doubtful("test")) {
+      wrong({"test.metric"}, "test.metric: expected `goals`, or a number of a match");
     }
-    if (tournament.test->model != TournamentTest::Model::normalized) {
-      refuse(document, {"test.model"}, "test.model: belongs to elo, and this test is on a metric", mistakes);
+    if (test->model != TournamentTest::Model::normalized) {
+      wrong({"test.model"}, "test.model: belongs to elo, and this test is on a metric");
     }
   }
-  if (ends_by_itself && (*tournament.test->elo)[0] == (*tournament.test->elo)[1]) {
-    refuse(document, {"test.elo"}, "test.elo: the first must be the smaller one", mistakes);
-  }
-  if (ends_by_itself && !(tournament.test->alpha + tournament.test->beta.value_or(TournamentTest::usual_rate) < 1.0)) {
-    refuse(document, {"test.beta", "test.alpha"}, "test: alpha and beta: their sum must be below 1", mistakes);
+  if (!ends_by_itself) return;
+  if ((*test->elo)[0] == (*test->elo)[1]) wrong({"test.elo"}, "test.elo: the first must be the smaller one");
+  if (!(test->alpha + test->beta.value_or(TournamentTest::usual_rate) < 1.0)) {
+    wrong({"test.beta", "test.alpha"}, "test: alpha and beta: their sum must be below 1");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tournament as its YAML page says it: who plays, all against all or the first against each of the others, how often,
-// from which scenes, and which test decides. Values only; nothing is opened or played here.
+// The values of a tournament document: the teams, the pairings, the number of matches, the openings, and a sequential
+// test. This file only holds values; it opens no files and plays no matches.
 #pragma once
 
 #include <array>
@@ -14,41 +14,41 @@
 
 namespace regista::config {
 
-// A sequential test between two teams. One of: on the scores of pairs, on a number of a match.
+// A sequential test between two teams. It tests the scores of pairs of matches, or a number in the result of a match.
 struct TournamentTest {
   enum class Model { normalized, logistic };
-  std::optional<std::array<double, 2>> elo;  // what the scores are to tell apart, the smaller one first
-  Model model = Model::normalized;           // what `elo` is in; says nothing of a metric
-  std::string metric;                        // "goals", or the path of a number of a match; empty: none
+  std::optional<std::array<double, 2>> elo;  // the two Elo hypotheses that the test separates, the smaller one first
+  Model model = Model::normalized;           // kind of Elo scale of `elo`; not used for a metric
+  std::string metric;  // "goals", or the path of a number in the result of a match; empty: the test uses scores
   static constexpr double usual_rate = 0.05;
   double alpha = usual_rate;
-  std::optional<double> beta;  // with `elo`; without it the usual rate
+  std::optional<double> beta;  // only with `elo`; missing: usual_rate
   Location where;
 };
 
 struct Tournament {
   struct Team {
     std::string team;           // file
-    std::string disturbance{};  // file, of this team alone; empty: that of all
+    std::string disturbance{};  // file of a disturbance for this team alone; empty: the disturbance of all teams
     Location where;
   };
-  enum class Format { round_robin, gauntlet };
+  enum class Format { round_robin, gauntlet };  // round_robin: all teams meet; gauntlet: each team meets the first team
   using Test = TournamentTest;
 
   std::string name, question;
   std::vector<Team> teams;
   Format format = Format::round_robin;
-  std::optional<int> pairs;  // of matches, of each pairing; with a test: at most
+  std::optional<int> pairs;  // pairs of matches for each pairing; with a test: the largest number of pairs
   std::optional<Test> test;
-  std::int64_t seed = 1;       // of the first pair; the next one has the next
-  std::string disturbance;     // file, of all teams; empty: none
-  int failures_in_a_row = 10;  // after so many forfeits by the same plugin a team is set aside; 0: never
+  std::int64_t seed = 1;       // seed of the pairs; see MatchSettings::seeds
+  std::string disturbance;     // file for all teams; empty: no disturbance
+  int failures_in_a_row = 10;  // this many forfeits in a row by the same plugin exclude a team; 0: no exclusion
   MatchSettings settings;
 };
 
 Map declare(Tournament& tournament);
 
-// Tells of values of the document that are sound one by one, but not together.
+// Reports values of the document that are valid alone but contradict each other.
 void check(const Tournament& tournament, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "config/line.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
@@ -39,41 +37,33 @@ TunedPath path_of(const Node& node, const std::string& what, Mistakes& mistakes)
   if (!out.range) return out;
   out.range_where = node["range"].where();
   if ((*out.range)[0] > (*out.range)[1]) {
-    throw Error(out.range_where, fmt::format("{}.range: empty: {} is more than {}", what, real_text((*out.range)[0]),
-                                             real_text((*out.range)[1])));
+    throw Error(out.range_where,
+                fmt::format("{}.range: empty: {} is more than {}", what, (*out.range)[0], (*out.range)[1]));
   }
   return out;
 }
 
 Node written(const TunedPath& path) {
-  const Location nowhere;
-  const Node pattern = Node::scalar(path.pattern, true, nowhere);
+  const Node pattern = Node::scalar(path.pattern, true);
   if (!path.range) return pattern;
-  std::vector<Node> ends;
-  for (const double each : *path.range) ends.push_back(Node::scalar(real_text(each), false, nowhere));
-  const Node range = Node::sequence(std::move(ends), nowhere);
-  return Node::map({{"path", nowhere, pattern}, {"range", nowhere, range}}, nowhere);
+  const Node range = sequence_of(*path.range, [](double each) { return Node::scalar(real_text(each)); });
+  return Node::map({{"path", {}, pattern}, {"range", {}, range}});
 }
 
 Field tuned_paths(std::string key, std::vector<TunedPath>& paths, std::string doc) {
+  const auto read_paths = [&paths](const Node& node, const std::string& what, Mistakes& mistakes) {
+    elements_of(node, what, "a list of paths");
+    paths.clear();
+    attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
+      paths.push_back(path_of(element, path, mistakes));
+    });
+  };
   return {std::move(key), std::move(doc),
-          Own{"tuned",
-              [&paths](const Node& node, const std::string& what, Mistakes& mistakes) {
-                const std::span<const Node> elements = elements_of(node, what, "a list of paths");
-                paths.clear();
-                for (std::size_t i = 0; i < elements.size(); ++i) {
-                  const std::string path = fmt::format("{}.{}", what, i);
-                  mistakes.attempt(path, [&] { paths.push_back(path_of(elements[i], path, mistakes)); });
-                }
-              },
-              [&paths] {
-                std::vector<Node> out;
-                for (const TunedPath& each : paths) out.push_back(written(each));
-                return Node::sequence(std::move(out), {});
-              }}};
+          Own{"tuned", read_paths,
+              [&paths] { return sequence_of(paths, [](const TunedPath& each) { return written(each); }); }}};
 }
 
-// `goal_difference`, or `{points: 10, overlap_seconds: -0.5}`. otherwise: what is in force where nothing is said.
+// Declares a key with a measure or with a map from measures to weights. otherwise() returns the default.
 template <class Otherwise>
 Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc, Otherwise otherwise) {
   const auto read_terms = [&terms](const Node& node, const std::string& what, Mistakes& mistakes) {
@@ -98,12 +88,11 @@ Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::
     if (terms.empty() && !mistakes.doubtful(what)) throw Error(node.where(), what + ": expected a measure");
   };
   const auto write_terms = [&terms, otherwise] {
-    const Location nowhere;
     std::vector<Node::Entry> out;
     for (const TuningObjective::Term& each : terms.empty() ? otherwise() : terms) {
-      out.push_back({each.measure, nowhere, Node::scalar(real_text(each.weight), false, nowhere)});
+      out.push_back({each.measure, {}, Node::scalar(real_text(each.weight))});
     }
-    return out.empty() ? Node() : Node::map(std::move(out), nowhere);
+    return out.empty() ? Node() : Node::map(std::move(out));
   };
   return {std::move(key), std::move(doc), Own{"measured", read_terms, write_terms}};
 }
@@ -111,12 +100,11 @@ Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::
 }  // namespace
 
 static Map declare(Tuning::Opponent& opponent) {
-  return {.fields =
-              {
-                  required(file("team", opponent.team, "the team")),
-                  real("weight", opponent.weight, shares, "1", "of its matches in the objective; the sum is made 1"),
-              },
-          .where = &opponent.where};
+  return {{
+              required(file("team", opponent.team, "the team")),
+              real("weight", opponent.weight, shares, "1", "of its matches in the objective; the sum is made 1"),
+          },
+          &opponent.where};
 }
 
 static Map declare(TuningObjective& objective) {
@@ -124,63 +112,58 @@ static Map declare(TuningObjective& objective) {
   const auto usual = [&objective] {
     return objective.minimise.empty() ? Terms{{"goal_difference", 1.0, {}}} : Terms{};
   };
-  return {.fields =
-              {
-                  measured("maximise", objective.maximise, "a measure, or measures with weights", usual),
-                  measured("minimise", objective.minimise, "the same, the other way round", [] { return Terms{}; }),
-              },
-          .where = &objective.where,
-          .exactly_one = {"maximise", "minimise"}};
+  return {{
+              measured("maximise", objective.maximise, "a measure, or measures with weights", usual),
+              measured("minimise", objective.minimise, "the same, the other way round", [] { return Terms{}; }),
+          },
+          &objective.where,
+          {"maximise", "minimise"}};
 }
 
 static Map declare(Tuning::Search& search) {
-  return {.fields =
-              {
-                  name("algorithm", search.algorithm, "see docs/tuning.md"),
-                  integer("matches", search.matches, {2, 10000000}, "1", "of the whole search, at most"),
-                  real("minutes", search.minutes, {0.01, 1e6}, "min", "of wall time, after which no point is begun"),
-                  integer("pairs", search.pairs, {1, 10000}, "1",
-                          "of matches with each opponent, for each point; without it what the algorithm wants"),
-                  integer("population", search.population, {4, 10000}, "1",
-                          "points of a generation; without it the algorithm's own"),
-              },
-          .where = &search.where};
+  return {{
+              name("algorithm", search.algorithm, "see docs/tuning.md"),
+              integer("matches", search.matches, {2, 10000000}, "1", "of the whole search, at most"),
+              real("minutes", search.minutes, {0.01, 1e6}, "min", "of wall time, after which no point is begun"),
+              integer("pairs", search.pairs, {1, 10000}, "1",
+                      "of matches with each opponent, for each point; without it what the algorithm wants"),
+              integer("population", search.population, {4, 10000}, "1",
+                      "points of a generation; without it the algorithm's own"),
+          },
+          &search.where};
 }
 
 static Map declare(Tuning::Selection& selection) {
-  return {.fields =
-              {
-                  integer("finalists", selection.finalists, {1, 64}, "1",
-                          "best points of the search that are played again, on other seeds"),
-                  integer("matches", selection.matches, {2, 1000000}, "1", "of all finalists together, at most"),
-              },
-          .where = &selection.where};
+  return {{
+              integer("finalists", selection.finalists, {1, 64}, "1",
+                      "best points of the search that are played again, on other seeds"),
+              integer("matches", selection.matches, {2, 1000000}, "1", "of all finalists together, at most"),
+          },
+          &selection.where};
 }
 
 static Map declare(Tuning::Verification& verification) {
-  return {.fields =
-              {
-                  integer("candidates", verification.candidates, {1, 16}, "1",
-                          "best finalists that are compared with the base team, on held-out seeds"),
-                  integer("matches", verification.matches, {4, 10000000}, "1",
-                          "of the candidates and the base team together, at most"),
-                  choice("against", verification.against, {"opponents", "base"},
-                         "whom candidate and base team play: the opponents, or each other"),
-                  choice("test", verification.test, {"betting", "symmetric"},
-                         "of the differences: betting holds for any law of an objective that has bounds"),
-                  real("confidence", verification.confidence, {0.5, 0.9999}, "1", "of the verdict"),
-              },
-          .where = &verification.where};
+  return {{
+              integer("candidates", verification.candidates, {1, 16}, "1",
+                      "best finalists that are compared with the base team, on held-out seeds"),
+              integer("matches", verification.matches, {4, 10000000}, "1",
+                      "of the candidates and the base team together, at most"),
+              choice("against", verification.against, {"opponents", "base"},
+                     "whom candidate and base team play: the opponents, or each other"),
+              choice("test", verification.test, {"betting", "symmetric"},
+                     "of the differences: betting holds for any law of an objective that has bounds"),
+              real("confidence", verification.confidence, {0.5, 0.9999}, "1", "of the verdict"),
+          },
+          &verification.where};
 }
 
 static Map declare(Tuning::Slices& slices) {
-  return {.fields =
-              {
-                  integer("points", slices.points, {0, 101}, "1",
-                          "of each parameter, over its range, the others as tuned; 0 is none"),
-                  integer("pairs", slices.pairs, {2, 10000}, "1", "of matches with each opponent, for each point"),
-              },
-          .where = &slices.where};
+  return {{
+              integer("points", slices.points, {0, 101}, "1",
+                      "of each parameter, over its range, the others as tuned; 0 is none"),
+              integer("pairs", slices.pairs, {2, 10000}, "1", "of matches with each opponent, for each point"),
+          },
+          &slices.where};
 }
 
 Map declare(Tuning& tuning) {
@@ -205,10 +188,9 @@ Map declare(Tuning& tuning) {
 
 void check(const Tuning& tuning, const Node& document, Mistakes& mistakes) {
   if (tuning.verification.candidates > tuning.selection.finalists) {
-    refuse(document, {"verification.candidates", "selection.finalists"},
-           fmt::format("verification.candidates: {} of {} finalists", tuning.verification.candidates,
-                       tuning.selection.finalists),
-           mistakes);
+    Refusals(document, mistakes)({"verification.candidates", "selection.finalists"},
+                                 "verification.candidates: {} of {} finalists", tuning.verification.candidates,
+                                 tuning.selection.finalists);
   }
 }
 

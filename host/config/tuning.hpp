@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A tuning as its YAML page says it: a team, opponents, which of its numbers may change, what counts as better, how
-// much may be played. Values only; nothing is opened or played here.
+// The values of a tuning document: the tuned team, its opponents, the numbers that may change, the objective, and the
+// number of matches. This file only holds values; it opens no files and plays no matches.
 #pragma once
 
 #include <array>
@@ -13,21 +13,21 @@
 
 namespace regista::config {
 
-// `utility.terms.*.weight`, or `{path: sender.params.period, range: [5, 20]}`
+// A parameter path to tune: `utility.terms.*.weight`, or `{path: sender.params.period, range: [5, 20]}`
 struct TunedPath {
-  std::string pattern;  // '*' and '?' stand for any letters
+  std::string pattern;  // a path, or an fnmatch(3) pattern: '*' stands for any text, '?' for one character
   std::optional<std::array<double, 2>> range;
   Location where, range_where;
 };
 
-// `{maximise: goal_difference}`, `{minimise: {overlap_seconds: 1, packets: 0.01}}`
+// An objective: `{maximise: goal_difference}` or `{minimise: {overlap_seconds: 1, packets: 0.01}}`
 struct TuningObjective {
   struct Term {
     std::string measure;
     double weight = 1.0;
     Location where;
   };
-  std::vector<Term> maximise, minimise;  // one of the two
+  std::vector<Term> maximise, minimise;  // one list is empty; if both are empty, goal_difference is maximised
   Location where;
 };
 
@@ -40,26 +40,29 @@ struct Tuning {
   struct Search {
     std::string algorithm = "sbplx";
     int matches = 1000;
-    std::optional<double> minutes;  // of wall time
-    std::optional<int> pairs;       // of matches against each opponent, for each evaluation
+    std::optional<double> minutes;  // limit of wall time for the search, min
+    std::optional<int> pairs;       // pairs of matches against each opponent for each evaluation
     std::optional<int> population;
     Location where;
   };
   struct Selection {
-    int finalists = 4, matches = 80;  // of all finalists together
+    // Number of finalists, and largest number of matches of all finalists together.
+    int finalists = 4, matches = 80;
     Location where;
   };
   enum class Against { opponents, base };
   enum class Test { betting, symmetric };
   struct Verification {
-    int candidates = 1, matches = 400;  // at most, of all candidates and the base team together
+    // Largest numbers of verified candidates, and of matches of all candidates and the base team together.
+    int candidates = 1, matches = 400;
     Against against = Against::opponents;
     Test test = Test::betting;
     double confidence = 0.95;
     Location where;
   };
   struct Slices {
-    int points = 5, pairs = 4;  // of matches with each opponent, for each point
+    // Points for each parameter, and pairs of matches against each opponent for each point.
+    int points = 5, pairs = 4;
     Location where;
   };
 
@@ -68,8 +71,8 @@ struct Tuning {
   std::vector<Opponent> opponents;
   std::vector<TunedPath> parameters;
   TuningObjective objective;
-  std::string disturbance, opponent_disturbance;  // files; of the tuned team, of its opponents; empty: none
-  int seed = 1;                                   // with every other number of a stage below 2^40
+  std::string disturbance, opponent_disturbance;  // files for the tuned team and its opponents; empty: none
+  int seed = 1;                                   // seed of the search and of the first matches, below 2^31
   Search search;
   Selection selection;
   Verification verification;
@@ -79,7 +82,7 @@ struct Tuning {
 
 Map declare(Tuning& tuning);
 
-// Throws Error at values of the document that are sound one by one, but not together.
+// Reports values of the document that are valid alone but contradict each other.
 void check(const Tuning& tuning, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

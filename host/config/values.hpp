@@ -1,42 +1,44 @@
 // SPDX-License-Identifier: MIT
-// What an object holds, seen through its declaration: as a document, as JSON, compared with another of its kind, and
-// with other files.
+// Writes the values of a declared object as YAML or JSON, compares them with other values, and replaces file names.
 #pragma once
 
-#include <functional>
 #include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "config/declaration.hpp"
 #include "config/node.hpp"
-#include "config/show.hpp"
 
 namespace regista::config {
 
-// Every value that is in force, defaults too.
+enum class Remarks { with, without };  // without: no comments, so that documents with equal values give equal texts
+
+// Returns the object as YAML text, from which read() makes an equal object. Each value has a comment with unit, meaning
+// and origin. `document` is the document from which the object was read. A value that `document` lacks is a default.
+std::string show(const Map& map, const Node& document, std::span<const PluginDeclaration> plugins,
+                 Remarks remarks = Remarks::with);
+
+// Returns all values of the object as a document, also values that are defaults.
 Node values_of(const Map& declared);
 
-// Bytes that are no UTF-8, as names of files may have them, become U+FFFD.
-std::string well_formed(const std::string& text);
-
-// The same as the text of a document.
-inline std::string document_text(const Map& declared) {
-  return well_formed(show(declared, Node(), {}, Remarks::without));
-}
+// Returns the text of values_of() as a document. Bytes that are not UTF-8 (in file names) become U+FFFD.
+std::string document_text(const Map& declared);
 template <class Document>
 std::string document_text(Document document) {
   return document_text(declare(document));
 }
 
-// Maps, lists, texts, numbers, true, false and null.
+// Converts maps, lists, texts, numbers, true, false and null.
 nlohmann::ordered_json to_json(const Node& node);
 
-// What differs in values that decide what comes of the document, a line each: "pairs: was 3, now 4". Which files are
-// named is left out: what they hold is for those to compare who read them. now: its declaration.
+// Compares `before` with `now`. Returns one line for each difference that may change results (Field::decides): "pairs:
+// was 3, now 4". Does not compare file names, because the caller compares the contents of the files.
 std::vector<std::string> differences(const Node& before, const Map& now);
 
-// Replaces the name of every file, as far as it is declared as one.
+// Replaces every file name in the object by renamed(file name). File names are the values of the types File and Paths.
 void rename_files(const Map& declared, const std::function<std::string(const std::string&)>& renamed);
 
 }  // namespace regista::config

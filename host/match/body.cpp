@@ -5,15 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "match/arena.hpp"
 #include "match/chance.hpp"
+#include "match/physics_world.hpp"
 
 namespace regista::match {
-namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 mind::Walk within_limits(const mind::Walk& wanted, const config::Walk& limits) {
   const auto share = [](double value, double limit) { return limit > 0.0 ? value / limit : 0.0; };
@@ -98,14 +95,14 @@ void Body::fall(double time) {
   }
 }
 
-// It gets up from now on, with as many attempts as it takes.
+// The robot begins to get up at `time`. This function draws the number of failed attempts, and so the time of standing.
 void Body::lie(double time) {
   Chance chance(seed_, Purpose::get_up, side_, number_, 0, static_cast<std::uint32_t>(falls_));
   up_at_ = time + profile_.body.get_up;
   while (chance.bernoulli(profile_.body.get_up_failure)) up_at_ += profile_.body.get_up;
 }
 
-// Exponential law: as likely in each second.
+// The walking time until a fall has an exponential law, because a fall is equally likely in each second of walking.
 void Body::draw_walk() {
   walk_left_ = never;
   const double rate = profile_.body.falls_per_walking_minute / 60.0;

@@ -1,63 +1,63 @@
 // SPDX-License-Identifier: MIT
-// One robot's body: what becomes of a command. It walks in steps within its limits, kicks with delay and noise, falls
-// when it is jostled and gets up again. It decides what the body wants; the arena decides what becomes of that.
+// Body turns the commands of one robot into motion, kicks and falls. PhysicsWorld then moves the robot and the ball.
 //
-// Walk: a command takes effect at the next step. Speeds ahead, sideways and of turning share one ellipsoid of limits.
-// Kick: begins at once if the ball is in reach, hits `impact` later if it is in reach then, and the robot stands until
-// it is over. The ball rolls a distance with triangular relative noise, in a direction with normal noise.
-// Fall: a rate per second of contact with other robots, and one per minute of walking. When it will fall by itself is
-// drawn ahead, as seconds of walking. Each attempt to get up may fail.
+// Walk: a walk command takes effect at the robot's next footstep. One ellipsoid limits walking and turning speed.
+// Kick: a kick begins at once if the ball is in reach. After `impact` seconds the foot hits the ball if the ball is
+// still in reach. The robot stands still until the kick is over. The relative noise of the rolling distance has a
+// triangular law. The noise of the direction has a normal law.
+// Fall: contact with robots causes falls at a rate per second of contact. Walking causes falls at a rate per minute.
+// Body draws the walking time until the next fall in advance. Each attempt of the robot to get up may fail.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "config/robot.hpp"
-#include "match/geometry.hpp"
+#include "match/plane.hpp"
 #include "match/side.hpp"
-#include "mind/command.hpp"
+#include "mind/action.hpp"
 
 namespace regista::match {
 
-// `wanted` scaled back onto the ellipsoid of what the profile's robot can do.
+// Scales `wanted` down onto the ellipsoid of speeds that a robot with these limits can reach.
 mind::Walk within_limits(const mind::Walk& wanted, const config::Walk& limits);
 
-// Speed with which a ball must leave to roll so far, m/s.
+// Initial speed (m/s) of a ball that rolls `distance` metres before it stops.
 double speed_for_distance(double distance, double rolling_deceleration);
 
 class Body {
  public:
-  // Profile and names are the caller's and must live as long. rolling_deceleration: of the ball, m/s^2.
+  // The caller owns `profile`, which must outlive the body. rolling_deceleration: of the rolling ball, m/s^2.
   Body(const config::Robot& profile, double rolling_deceleration, std::uint64_t seed, Side side, int number);
 
-  // A new command, checked to be finite. ball_distance: between the centres.
+  // Gives the body a new command. All values must be finite. ball_distance: m between the centres of robot and ball.
   void command(const mind::Command& command, double time, double ball_distance);
 
-  // What the body wants in the coming physics step.
+  // The motion that the body makes in the coming physics step, unless PhysicsWorld hinders the body.
   struct Motion {
     mind::Walk walk;                      // robot frame
-    std::optional<Vector> ball_velocity;  // robot frame: the moment of a kick
+    std::optional<Vector> ball_velocity;  // robot frame; set only in the step in which the foot hits the ball
   };
   Motion move(double time, std::uint32_t tick, double ball_distance);
 
-  // It touched another robot during the last physics step.
+  // Must be called when the robot has touched another robot in the last physics step. The robot may then fall.
   void jostled(double time, std::uint32_t tick);
 
-  // Put down by hand: it stands, and nothing is under way.
-  void put_down();
+  void put_down();  // A person puts the robot down: the robot stands, and its walk, kick or fall is cancelled.
 
-  // From now on it moves with this part of the speed it means to have.
+  // From now on the robot walks at `factor` times the commanded speed.
   void set_speed(double factor) { speed_ = factor; }
 
-  // Frozen, it stands, or lies as it falls, and nothing is under way; commands are not given to it. Thawed, it gets up.
+  // freeze(): the robot stands still from now on; a robot that lies or falls stays down until thaw(). The caller must
+  // not call command() for a frozen robot. thaw(): ends freeze(); a lying robot begins to get up.
   void freeze(double time);
   void thaw(double time);
 
   bool fallen(double time) const { return time < up_at_; }
-  // As far as it knows: that the present attempt to get up will fail, it does not.
+  // Seconds until the end of the robot's present attempt to get up. The robot does not know whether the attempt fails.
   double time_until_up(double time) const;
   bool kicking() const { return kick_.has_value(); }
-  // The teammate that the kick under way is meant for, 0 = nobody.
+  // Shirt number of the teammate that the present kick is meant for; 0 = nobody.
   int receiver() const { return kick_ ? kick_->request.receiver : 0; }
   int falls() const { return falls_; }
 
@@ -65,11 +65,11 @@ class Body {
   struct Kick {
     mind::KickRequest request;
     double began;
-    bool hit = false;  // the moment of impact is over
+    bool hit = false;  // the moment of impact has passed, whether or not the foot hit the ball
   };
   void fall(double time);
-  void lie(double time);
-  void draw_walk();
+  void lie(double time);  // the robot begins to get up at `time`
+  void draw_walk();       // draws walk_left_
   Vector launch(const mind::KickRequest& request, std::uint32_t tick) const;
 
   const config::Robot& profile_;
@@ -77,13 +77,13 @@ class Body {
   std::uint64_t seed_;
   Side side_;
   int number_;
-  mind::Walk commanded_, walk_;
+  mind::Walk commanded_, walk_;  // walk_: the command that applies since the last footstep
   double speed_ = 1.0;
   bool frozen_ = false;
-  double next_step_ = 0.0;
+  double next_step_ = 0.0;  // match time of the robot's next footstep, s
   std::optional<Kick> kick_;
-  double up_at_ = -1.0;
-  double walk_left_ = 0.0;  // s of walking until it falls by itself
+  double up_at_ = -1.0;     // match time at which the fallen robot stands again, s
+  double walk_left_ = 0.0;  // s of walking until the next fall caused by walking
   int falls_ = 0;
 };
 

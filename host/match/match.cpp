@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "match/match.hpp"
 
-#include <regista/abi.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,39 +11,37 @@
 
 #include "match/body.hpp"
 #include "match/chance.hpp"
-#include "match/digest.hpp"
-#include "match/outcome.hpp"
+#include "match/disturbances.hpp"
 #include "match/placement.hpp"
 #include "match/radio.hpp"
 #include "match/referee.hpp"
 #include "match/sampling.hpp"
 #include "match/sensing.hpp"
-#include "match/told.hpp"
-#include "match/trouble.hpp"
 
 namespace regista::match {
 namespace {
 
-constexpr double sighting_error = 1.0;  // m: what is seen farther from the ball is none
+constexpr double sighting_error = 1.0;  // m; a sighting farther away from the true ball is a false sighting
 
-int steps_per_decision(const config::Robot& robot) {
+std::uint32_t steps_per_decision(const config::Robot& robot) {
   const double steps = robot.decision_period / physics_step;
   const double whole = std::round(steps);
   if (!(whole >= 1.0) || std::fabs(steps - whole) > 1e-6) {
-    throw std::invalid_argument("robot profile '" + robot.name + "': the decision period, " +
-                                std::to_string(robot.decision_period) + " s, is not a multiple of 0.02 s");
+    throw std::invalid_argument(
+        fmt::format("robot profile '{}': the decision period, {:f} s, is not a multiple of 0.02 s", robot.name,
+                    robot.decision_period));
   }
-  return static_cast<int>(whole);
+  return static_cast<std::uint32_t>(whole);
 }
 
 void check(const Setup& setup, std::size_t home, std::size_t away) {
   const int size = setup.rules.team_size;
   if (size < 1 || size > largest_team) {
-    throw std::invalid_argument("team size " + std::to_string(size) + " is not in 1.." + std::to_string(largest_team));
+    throw std::invalid_argument(fmt::format("team size {} is not in 1..{}", size, largest_team));
   }
   if (home != static_cast<std::size_t>(size) || away != static_cast<std::size_t>(size)) {
-    throw std::invalid_argument("rules want " + std::to_string(size) + " robots a team, minds are given for " +
-                                std::to_string(home) + " and " + std::to_string(away));
+    throw std::invalid_argument(
+        fmt::format("rules want {} robots a team, minds are given for {} and {}", size, home, away));
   }
   for (const config::Disturbance& disturbance : setup.disturbances) config::check(disturbance, setup.rules, {});
   if (!setup.opening) return;
@@ -55,39 +53,24 @@ void check(const Setup& setup, std::size_t home, std::size_t away) {
 std::vector<config::Body> bodies_of(const Setup& setup) {
   std::vector<config::Body> bodies;
   for (const Side side : both_sides) {
-    bodies.insert(bodies.end(), static_cast<std::size_t>(setup.rules.team_size), setup.robots[index(side)].body);
+    bodies.insert(bodies.end(), at(setup.rules.team_size), setup.robots[index(side)].body);
   }
   return bodies;
 }
 
 double largest_radius(const Setup& setup) { return std::max(setup.robots[0].body.radius, setup.robots[1].body.radius); }
 
-// One robot as the match sees it: a mind, a body, senses.
+// One robot of the match: its mind, body and senses, and its last percepts and outcome.
 struct Robot {
-  Robot(const mind::Think& decides, const config::Robot& its_profile, Body its_body, Sensing its_sensing, int steps,
-        int first)
-      : think(decides),
-        profile(its_profile),
-        body(its_body),
-        sensing(std::move(its_sensing)),
-        steps_between(steps),
-        next_decision(static_cast<std::uint32_t>(first)) {
-    // All that can be seen in one image; false balls come one at a time, ghosts all at once.
-    percepts.balls.reserve(2 + Affliction::most_ghosts);
-    percepts.robots.reserve(2 * largest_team);
-    percepts.landmarks.reserve(most_points);
-  }
-
   const mind::Think& think;
   const config::Robot& profile;
   Body body;
   Sensing sensing;
-  int steps_between;
-  std::uint32_t next_decision;
-  bool whistle = false;  // heard since the last decision
-  int touches = -1;      // id of the robot that it touched last since the last decision; -1: none
-  mind::Percepts percepts;
-  mind::Outcome outcome;
+  std::uint32_t steps_between, next_decision;  // in physics steps
+  bool whistle = false;                        // the robot has heard a whistle since its last decision
+  int touches = -1;                            // id of the last robot touched since the last decision; -1: none
+  mind::Percepts percepts{};
+  mind::Outcome outcome{};
 };
 
 class OngoingMatch {
@@ -101,38 +84,51 @@ class OngoingMatch {
   void decide(int id);
   void feel_contact(int id, Robot& robot);
   bool sees_ball(int id) const;
-  RobotSet able() const;  // who stands and has not crashed
+  template <class Condition>
+  RobotSet those(Condition holds) const {
+    RobotSet out = 0;
+    for (int id = 0; id < roster_.count(); ++id) {
+      if (holds(robots_[at(id)].body)) out |= only(id);
+    }
+    return out;
+  }
+  RobotSet fallen() const {
+    return those([this](const Body& body) { return body.fallen(time_); });
+  }
+  RobotSet kicking() const { return those(std::mem_fn(&Body::kicking)); }
+  RobotSet able() const {
+    return those([this](const Body& body) { return !body.fallen(time_); }) & ~crashed_;
+  }
   void ask(int id);
   int move_bodies();
   void jostle();
   void judge(int kicker);
   void follow(const Calls& calls);
   void observe();
-  Robot& robot(int id) { return robots_[static_cast<std::size_t>(id)]; }
-  Side side_of(int id) const { return roster_.side(id); }
-  double ball_distance(int id) const;  // infinite where no foot reaches: beside and behind
+  Robot& robot(int id) { return robots_[at(id)]; }
+  double ball_distance(int id) const;  // m; infinite if the ball is beside or behind the robot, where no foot reaches
   [[noreturn]] void refuse(int id, const std::string& why) const;
 
   const Setup& setup_;
   const Observer& observer_;
   const Beliefs& beliefs_;
   Roster roster_;
-  std::array<Marks, 2> marks_;  // as either side's cameras see them
-  Arena arena_;
+  std::array<Marks, 2> marks_;  // by side: the landmarks, as the cameras of the side's robots see them
+  PhysicsWorld arena_;
   Referee referee_;
-  Told told_;
-  std::array<Trouble, 2> trouble_;
+  GameControllerFeed feed_;
+  std::array<Disturbances, 2> trouble_;
   std::array<Radio, 2> radio_;
   Metrics metrics_;
   Belief belief_;
   Digest digest_;
   std::vector<Robot> robots_;
   std::vector<mind::HeardPacket> heard_;
-  std::vector<Vector> positions_, legs_;  // by id: where robots are, and where their legs carry them, m/s
-  Points in_view_;                        // the same, but who is out of play is nowhere
-  RobotSet out_of_play_ = 0;              // penalised, off the field
-  RobotSet turning_ = 0;                  // since the referee last looked
-  RobotSet acted_ = 0;                    // decided since the referee last looked
+  std::vector<Vector> positions_, legs_;  // by id: position in m and walking velocity in m/s
+  Points in_view_;                        // by id: position in m; `nowhere` for a robot that is out of play
+  RobotSet out_of_play_ = 0;              // penalised robots off the field
+  RobotSet turning_ = 0;                  // robots that have turned since the last update of the referee
+  RobotSet acted_ = 0;                    // robots that have decided since the last update of the referee
   RobotSet crashed_ = 0;
   std::uint32_t tick_ = 0;
   double time_ = 0.0;
@@ -147,9 +143,9 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
       marks_{Marks(setup.rules.field, setup.robots[0].camera), Marks(setup.rules.field, setup.robots[1].camera)},
       arena_(setup.rules.field, setup.rules.ball, bodies_of(setup)),
       referee_(setup.rules, largest_radius(setup), setup.opening ? &*setup.opening : nullptr),
-      told_(setup.rules),
-      trouble_{Trouble(setup.disturbances[0], setup.rules.field, roster_.team_size, setup.seed, Side::home),
-               Trouble(setup.disturbances[1], setup.rules.field, roster_.team_size, setup.seed, Side::away)},
+      feed_(setup.rules),
+      trouble_{Disturbances(setup.disturbances[0], setup.rules.field, roster_.team_size, setup.seed, Side::home),
+               Disturbances(setup.disturbances[1], setup.rules.field, roster_.team_size, setup.seed, Side::away)},
       radio_{Radio(setup.robots[0].radio, trouble_[0], roster_.team_size, setup.seed, Side::home),
              Radio(setup.robots[1].radio, trouble_[1], roster_.team_size, setup.seed, Side::away)},
       metrics_(setup.rules, setup.robots, setup.roles, setup.reasons, setup.plugin_metrics) {
@@ -158,28 +154,33 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
     arena_.record(observer.physics_log);
   }
   metrics_.tell_play(observer.play);
-  robots_.reserve(static_cast<std::size_t>(roster_.count()));
+  robots_.reserve(at(roster_.count()));
   heard_.reserve(64);
-  positions_.resize(static_cast<std::size_t>(roster_.count()));
+  positions_.resize(at(roster_.count()));
   legs_.resize(positions_.size());
   in_view_.count = positions_.size();
   for (int id = 0; id < roster_.count(); ++id) {
     const Side side = roster_.side(id);
     const int number = roster_.number(id);
     const config::Robot& profile = setup.robots[index(side)];
-    const int steps = steps_per_decision(profile);
-    const int first = (2 * (number - 1) + static_cast<int>(index(side))) % steps;
-    robots_.emplace_back(
-        (side == Side::home ? home : away)[static_cast<std::size_t>(number - 1)], profile,
-        Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
-        Sensing(profile, trouble_[index(side)], marks_[index(side)], roster_, id, setup.seed, largest_radius(setup)),
-        steps, first);
+    const std::uint32_t steps = steps_per_decision(profile);
+    const std::uint32_t first = static_cast<std::uint32_t>(2 * (number - 1) + static_cast<int>(index(side))) % steps;
+    robots_.push_back(
+        {(side == Side::home ? home : away)[at(number - 1)], profile,
+         Body(profile, setup.rules.ball.rolling_deceleration, setup.seed, side, number),
+         Sensing(profile, trouble_[index(side)], marks_[index(side)], roster_, id, setup.seed, largest_radius(setup)),
+         steps, first});
+    // Reserves memory for all sightings of one image: the ball, one false ball and all ghost balls.
+    mind::Percepts& percepts = robots_.back().percepts;
+    percepts.balls.reserve(2 + Affliction::most_ghosts);
+    percepts.robots.reserve(2 * largest_team);
+    percepts.landmarks.reserve(most_points);
   }
 }
 
 void OngoingMatch::refuse(int id, const std::string& why) const {
-  throw std::runtime_error(std::string(name(side_of(id))) + " robot " + std::to_string(roster_.number(id)) + " at " +
-                           std::to_string(time_) + " s: " + why);
+  throw std::runtime_error(
+      fmt::format("{} robot {} at {:f} s: {}", name(roster_.side(id)), roster_.number(id), time_, why));
 }
 
 double OngoingMatch::ball_distance(int id) const {
@@ -187,7 +188,7 @@ double OngoingMatch::ball_distance(int id) const {
   const Vector way = arena_.ball_position() - Vector{body.x, body.y};
   const double distance = length(way);
   const double ahead = way.x * body.cosine + way.y * body.sine;
-  const bool in_front = ahead >= distance * std::cos(robots_[static_cast<std::size_t>(id)].profile.body.reach_angle);
+  const bool in_front = ahead >= distance * std::cos(robots_[at(id)].profile.body.reach_angle);
   return in_front ? distance : std::numeric_limits<double>::infinity();
 }
 
@@ -222,7 +223,7 @@ Result OngoingMatch::run() {
           digest_.value()};
 }
 
-// What the troubles of a side mean to its bodies; radio and sensing ask for themselves.
+// Applies the disturbances of a side to its bodies. Radio and Sensing read the disturbances themselves.
 void OngoingMatch::suffer(Side side) {
   for (int number = 1; number <= roster_.team_size; ++number) {
     const Affliction& affliction = trouble_[index(side)].of(number);
@@ -242,14 +243,15 @@ void OngoingMatch::suffer(Side side) {
 
 void OngoingMatch::decide(int id) {
   Robot& robot = this->robot(id);
-  robot.next_decision += static_cast<std::uint32_t>(robot.steps_between);
+  robot.next_decision += robot.steps_between;
   const Side side = roster_.side(id);
   const int number = roster_.number(id);
   const GameState& state = referee_.state();
   if (contains(crashed_, id)) {
     robot.touches = -1;
     heard_.clear();
-    radio_[index(side)].deliver(number, time_, tick_, heard_);  // and nobody listens
+    radio_[index(side)].deliver(number, time_, tick_,
+                                heard_);  // the packets are dropped, because a crashed robot hears none
     return;
   }
   acted_ |= only(id);
@@ -265,7 +267,7 @@ void OngoingMatch::decide(int id) {
   feel_contact(id, robot);
   robot.sensing.sense({arena_.robot(id), arena_.ball_position(), in_view_}, time_, tick_,
                       !percepts.penalised && !percepts.fallen, percepts);
-  told_.tell(id, state, time_, percepts.game);
+  feed_.tell(id, state, time_, percepts.game);
   heard_.clear();
   radio_[index(side)].deliver(number, time_, tick_, heard_);
 
@@ -291,7 +293,7 @@ void OngoingMatch::decide(int id) {
   const bool in_the_air = leaves && referee_.packet(side, outcome.packet.size());
   const bool charged = state.packets[index(side)] != packets;
   if (charged) metrics_.sent(side, outcome.send_reason, outcome.packet.size(), time_);
-  // Before the radio reuses the memory of what was heard.
+  // The observer is called before send(), because send() reuses the memory of the heard packets.
   if (observer_.decision) observer_.decision({time_, side, number, percepts, heard_, outcome, charged});
   if (in_the_air) radio_[index(side)].send(number, outcome.packet, time_, tick_);
 }
@@ -307,9 +309,9 @@ void OngoingMatch::feel_contact(int id, Robot& robot) {
   robot.percepts.contact = std::atan2(way.y, way.x);
 }
 
-// In the image that it has just decided on: the ball, not something that is taken for it.
+// Whether the image of the robot's last decision contained a sighting of the true ball.
 bool OngoingMatch::sees_ball(int id) const {
-  const Robot& robot = robots_[static_cast<std::size_t>(id)];
+  const Robot& robot = robots_[at(id)];
   if (robot.percepts.balls.empty()) return false;
   const BodyState& body = arena_.robot(id);
   const Vector ball = turned(arena_.ball_position() - Vector{body.x, body.y}, body.cosine, -body.sine);
@@ -318,25 +320,16 @@ bool OngoingMatch::sees_ball(int id) const {
   });
 }
 
-RobotSet OngoingMatch::able() const {
-  RobotSet out = 0;
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!robots_[static_cast<std::size_t>(id)].body.fallen(time_)) out |= only(id);
-  }
-  return out & ~crashed_;
-}
-
-// Once a second, at its first decision in it, what a robot in play believes.
+// Reads what robot `id` believes, if the robot is in play and this is its first decision of a second.
 void OngoingMatch::ask(int id) {
   const GameState& state = referee_.state();
-  const auto first_ones = static_cast<std::uint32_t>(robots_[static_cast<std::size_t>(id)].steps_between);
   if (!beliefs_ || state.phase != mind::Phase::playing || contains(out_of_play_, id)) return;
-  if (tick_ % physics_steps_per_second >= first_ones) return;
-  beliefs_(side_of(id), roster_.number(id), belief_);
-  metrics_.believes(side_of(id), roster_.number(id), belief_, arena_.states(), state);
+  if (tick_ % physics_steps_per_second >= robot(id).steps_between) return;
+  beliefs_(roster_.side(id), roster_.number(id), belief_);
+  metrics_.believes(roster_.side(id), roster_.number(id), belief_, arena_.states(), state);
 }
 
-// Returns the robot that kicked the ball in this step, or -1.
+// Returns the id of the robot that kicked the ball in this step, or -1.
 int OngoingMatch::move_bodies() {
   int kicker = -1;
   Vector kicked{};
@@ -349,12 +342,12 @@ int OngoingMatch::move_bodies() {
     if (robot.body.falls() != falls) metrics_.fell(roster_.side(id));
     const config::Walk& limits = robot.profile.walk;
     if (motion.walk.turn != 0.0) turning_ |= only(id);
-    Vector& legs = legs_[static_cast<std::size_t>(id)];
+    Vector& legs = legs_[at(id)];
     legs = turned({motion.walk.forward, motion.walk.sideways}, now.cosine, now.sine);
     arena_.drive(id, legs, motion.walk.turn, limits.acceleration, limits.turn_acceleration);
     if (motion.ball_velocity) {
       metrics_.kicked(id, robot.body.receiver());
-      // Of two that strike at once, who is nearer to the ball hits it.
+      // If two robots kick at once, the robot nearer to the ball hits it.
       if (kicker >= 0 && ball_distance(kicker) <= ball_distance(id)) continue;
       kicked = turned(*motion.ball_velocity, now.cosine, now.sine);
       kicker = id;
@@ -371,8 +364,7 @@ void OngoingMatch::jostle() {
     robot(pair[0]).touches = pair[1];
     robot(pair[1]).touches = pair[0];
   }
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!contains(arena_.contacts().robots_on_robots, id)) continue;
+  for (const int id : Members(contacts.robots_on_robots)) {
     Body& body = robot(id).body;
     const int falls = body.falls();
     body.jostled(time_, tick_);
@@ -381,12 +373,9 @@ void OngoingMatch::jostle() {
 }
 
 void OngoingMatch::judge(int kicker) {
-  RobotSet fallen = 0, kicking = 0;
   for (int id = 0; id < roster_.count(); ++id) {
     const BodyState& body = arena_.robot(id);
-    positions_[static_cast<std::size_t>(id)] = {body.x, body.y};
-    if (robot(id).body.fallen(time_)) fallen |= only(id);
-    if (robot(id).body.kicking()) kicking |= only(id);
+    positions_[at(id)] = {body.x, body.y};
   }
   const Contacts& contacts = arena_.contacts();
   const int touched_by = contacts.hardest_on_ball >= 0 ? contacts.hardest_on_ball : kicker;
@@ -400,16 +389,16 @@ void OngoingMatch::judge(int kicker) {
                           .steps = legs_,
                           .turning = std::exchange(turning_, 0),
                           .touching = contacts.robots_on_ball,
-                          .fallen = fallen,
-                          .kicking = kicking,
+                          .fallen = fallen(),
+                          .kicking = kicking(),
                           .acted = acted_,
                           .at_walls = contacts.robots_on_walls,
                           .contacts = std::span(contacts.pairs).first(static_cast<std::size_t>(contacts.pair_count))}));
   acted_ = 0;
   for (int id = 0; id < roster_.count(); ++id) {
     const bool away = contains(out_of_play_, id);
-    in_view_.x[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).x;
-    in_view_.y[static_cast<std::size_t>(id)] = away ? nowhere : arena_.robot(id).y;
+    in_view_.x[at(id)] = away ? nowhere : arena_.robot(id).x;
+    in_view_.y[at(id)] = away ? nowhere : arena_.robot(id).y;
   }
 }
 
@@ -419,11 +408,10 @@ void OngoingMatch::follow(const Calls& calls) {
     arena_.place(id, waiting_pose(setup_.rules.field, id, largest_radius(setup_)));
     robot(id).body.put_down();
     out_of_play_ |= only(id);
-    legs_[static_cast<std::size_t>(id)] = {};
+    legs_[at(id)] = {};
     metrics_.penalised(roster_.side(id));
   }
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!contains(calls.frozen, id)) continue;
+  for (const int id : Members(calls.frozen)) {
     robot(id).body.put_down();
     metrics_.penalised(roster_.side(id));
   }
@@ -437,7 +425,7 @@ void OngoingMatch::follow(const Calls& calls) {
   if (calls.ball) arena_.place_ball(*calls.ball);
   if (calls.ball_velocity) arena_.kick(*calls.ball_velocity);
   if (calls.announced) {
-    told_.announce(state, time_, calls.told_late ? setup_.rules.durations.state_delay : 0.0, calls.ball_came_free);
+    feed_.announce(state, time_, calls.told_late ? setup_.rules.durations.state_delay : 0.0, calls.ball_came_free);
   }
   if (calls.whistle) {
     for (int id = 0; id < roster_.count(); ++id) {
@@ -446,7 +434,7 @@ void OngoingMatch::follow(const Calls& calls) {
       if (!chance.bernoulli(setup_.robots[index(side)].hearing.whistle_probability)) continue;
       if (contains(crashed_, id)) continue;
       robot(id).whistle = true;
-      told_.whistle(id, time_);
+      feed_.whistle(id, time_);
     }
   }
   for (const Event& event : calls.events) {
@@ -461,24 +449,14 @@ void OngoingMatch::follow(const Calls& calls) {
 
 void OngoingMatch::observe() {
   if (observer_.step) {
-    RobotSet fallen = 0, kicking = 0;
-    for (int id = 0; id < roster_.count(); ++id) {
-      if (robot(id).body.fallen(time_)) fallen |= only(id);
-      if (robot(id).body.kicking()) kicking |= only(id);
-    }
     const GameState& state = referee_.state();
     const RobotSet chasing = metrics_.chasing(state, arena_.ball(), able());
-    observer_.step({time_, state, arena_.states(), fallen, kicking, chasing, crashed_});
+    observer_.step({time_, state, arena_.states(), fallen(), kicking(), chasing, crashed_});
   }
   if (observer_.second && tick_ % physics_steps_per_second == 0) observer_.second(time_, referee_.state());
 }
 
 }  // namespace
-
-const char* name(Ended ended) {
-  constexpr std::array names{"no", "full_time", "mercy", "limit"};
-  return names[static_cast<std::size_t>(ended)];
-}
 
 Result play(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
             const Observer* observer, const Beliefs& beliefs) {
@@ -488,8 +466,7 @@ Result play(const Setup& setup, std::span<const mind::Think> home, std::span<con
 }
 
 std::optional<double> limit_of(const Setup& setup) {
-  if (setup.limit || !setup.opening) return setup.limit;
-  return setup.opening->length;
+  return setup.limit || !setup.opening ? setup.limit : setup.opening->length;
 }
 
 int most_goal_difference(const Setup& setup) {

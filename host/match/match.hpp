@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One match from the first half's placement, or from an opening, to the end: a pure function of its setup and of the
-// minds that play. Minds are known as mind::Think only, one for each robot; all that reaches them are percepts and
-// packets.
+// play() plays one match to the end. The match begins before the first half or with an opening. The result depends only
+// on the setup and the minds (one mind::Think for each robot). A mind receives only percepts and packets.
 //
-// In each physics step (50 Hz): the robots whose turn it is decide, bodies move, the arena steps, the referee judges.
-// A robot decides once in a decision period; side and number spread the robots over the steps of a period.
+// Each physics step (50 Hz) has four parts: some robots decide, the bodies move, the physics world steps, the referee
+// judges. Each robot decides once in each decision period, in the physics step that its side and number determine.
 #pragma once
 
 #include <array>
@@ -19,31 +18,29 @@
 #include "config/opening.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "match/arena.hpp"
 #include "match/digest.hpp"
 #include "match/game_state.hpp"
 #include "match/metrics.hpp"
-#include "match/physics_log.hpp"
-#include "match/play_event.hpp"
-#include "mind/command.hpp"
-#include "mind/extensions/log_line.hpp"
+#include "match/physics_world.hpp"
+#include "mind/action.hpp"
+#include "mind/extensions/plugin_log.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
 
-// Arrays are by side (index(Side)).
+// Everything that determines a match, besides the minds. Arrays are by side (index(Side)).
 struct Setup {
   config::Rules rules;
   std::array<config::Robot, 2> robots;
   std::array<config::Disturbance, 2> disturbances;
-  std::array<std::vector<Role>, 2> roles;  // the teams' tables of roles; Outcome::role is a row of it
-  // What their packets are sent for; Outcome::send_reason is one of them. Empty: the events of abi.h.
+  std::array<std::vector<Role>, 2> roles;  // by side: the table of roles; Outcome::role is a row of the table
+  // By side: the team's reasons to send packets; Outcome::send_reason is an index. Empty: the events of abi.h.
   std::array<std::vector<std::string>, 2> reasons;
-  // The numbers that their plugins declare; Outcome::metrics are of them.
+  // By side: the metrics that the team's plugins declare; MetricReport::metric is an index of this list.
   std::array<std::vector<mind::TeamMetric>, 2> plugin_metrics;
   std::uint64_t seed = 1;
-  std::optional<double> limit;  // s of simulated time after which the match ends
-  // The scene that it starts from, in play, instead of a kick-off; without a limit its length is one.
+  std::optional<double> limit;  // the match ends after this simulated time at the latest, s
+  // If set, the match begins with this scene in play, without kick-off. The opening's length replaces an empty `limit`.
   std::optional<config::Opening> opening;
 };
 
@@ -51,61 +48,56 @@ struct Result {
   std::array<int, 2> score{};
   Ended ended = Ended::no;
   double simulated_seconds = 0.0;
-  std::array<int, 2> packets{};  // charged
+  std::array<int, 2> packets{};  // by side: number of packets charged to the budget
   MatchMetrics metrics;
-  std::uint64_t hash = 0;  // over the course of the match
+  std::uint64_t hash = 0;  // value of Digest at the end of the match
 };
 
-// s of simulated time after which it ends, if anything ends it before its rules do.
+// Returns the simulated time at which the match ends at the latest, s; nothing if only the rules end the match.
 std::optional<double> limit_of(const Setup& setup);
 
-// No match of this setup ends with a larger one: the mercy rule ends it, and after each goal the robots go back to
-// their places before play goes on.
+// Returns an upper bound of the goal difference. The mercy rule and the time for Ready after each goal limit the goals.
 int most_goal_difference(const Setup& setup);
 
-const char* name(Ended ended);  // "full_time", "mercy", "limit"
-
-// The truth after a physics step. Memory is the match's, for the time of the call. World frame.
+// The truth after a physics step, in the world frame. The match owns the memory, which is valid during the callback.
 struct Snapshot {
   double time;
   const GameState& state;
   std::span<const BodyState> bodies;  // robots by id (home 1..n, away 1..n), then the ball
   RobotSet fallen, kicking;
-  RobotSet chasing;  // go for the ball, in Playing: see metrics_ball.hpp
-  RobotSet crashed;  // by a disturbance: decide nothing, and hold no role
+  RobotSet chasing;  // robots that go for the ball in Playing, as metrics_play.hpp defines it
+  RobotSet crashed;  // robots crashed by a disturbance; a crashed robot does not decide and holds no role
 };
 
-struct Decision {
+struct Decision {  // one decision of one robot
   double time;
   Side side;
   int number;
   const mind::Percepts& percepts;
   std::span<const mind::HeardPacket> heard;
   const mind::Outcome& outcome;
-  // The packet of the outcome has left the robot and counts as sent: nobody's that may not send, whose radio is silent,
-  // or outside of Ready, Set and Playing. One that is too long is charged, and heard by nobody.
+  // Whether the outcome has a packet that was charged to the budget. False if the robot is penalised, its radio is
+  // silent, or the phase is not Ready, Set or Playing. A packet that is too long is charged, but no robot receives it.
   bool packet_charged;
 };
 
-// Whoever wants to watch. It cannot change the match. Empty functions are not called.
+// Callbacks that watch a match. A callback cannot change the match. An empty function is not called.
 struct Observer {
-  std::function<void(double time, const GameState&)> second;  // each second of match time
+  std::function<void(double time, const GameState&)> second;  // called once in each second of match time
   std::function<void(double time, const Event&, const GameState&)> event;
-  PlayTeller play;  // each shot, meant pass, clearance and duel, once it is decided
-  std::function<void(const Snapshot&)> step;
-  std::function<void(const Decision&)> decision;
-  PhysicsLog* physics_log = nullptr;  // of what is done to the bodies, for Replay
-  // Minds that this match creates (teams.hpp) keep these for AfterDecision: see mind::Telling.
+  PlayTeller play;  // called for each shot, meant pass, clearance and duel, when its outcome is known
+  std::function<void(const Snapshot&)> step;      // called after each physics step
+  std::function<void(const Decision&)> decision;  // called after each decision
+  PhysicsLog* physics_log = nullptr;  // receives the operations on the bodies, for Replay; null: no recording
+  // Whether minds that teams.hpp creates keep segments and drawings for AfterDecision (see mind::MindOptions).
   bool segments = false, drawings = false;
-  bool outcomes_alone = false;  // AfterDecision reads no frames: parts that no plugin reads need not be made for it
-  // Told each line that a plugin of such a mind writes, at once.
-  mind::LogSink log;
+  bool outcomes_alone = false;  // true: minds make only frame parts that plugins read, no others for AfterDecision
+  mind::LogSink log;            // receives each log line of these minds' plugins when the plugin writes it
 };
 
-// Plays. home, away: a mind for each robot, number n at n - 1. Throws std::invalid_argument when the setup cannot be
-// played, std::runtime_error naming the robot when an outcome is not sound (not finite, no such kick or role or
-// reason); what a mind throws passes through. beliefs: asks the minds what they believe, for the metrics; without it
-// these say nothing of it.
+// home, away: one mind for each robot; robot n is at n - 1. beliefs: reads what a mind believes; if empty, the result
+// has no metrics of beliefs. Throws std::invalid_argument for a setup that cannot be played. Throws std::runtime_error,
+// which names the robot, if unsound() finds a fault in an outcome. play() does not catch exceptions of minds.
 Result play(const Setup& setup, std::span<const mind::Think> home, std::span<const mind::Think> away,
             const Observer* observer = nullptr, const Beliefs& beliefs = {});
 

@@ -13,7 +13,7 @@
 namespace regista::match {
 namespace {
 
-// By what numbers are found: those of the whole match come first.
+// Returns the key by which numbers are sorted: first the whole match, then home, then away; within each, by path.
 std::pair<int, std::string_view> key(std::optional<Side> side, std::string_view path) {
   return {side ? static_cast<int>(*side) : -1, path};
 }
@@ -47,7 +47,7 @@ MetricNames::MetricNames(std::vector<MetricName> names) : names_(std::move(names
     if (sum == side.sums.end()) sum = side.sums.insert(sum, {each.name, {}});
     sum->places.push_back(i);
   }
-  // Where a number of the team has this very name, the name is that one's.
+  // If a team has a number of its own with the name of a sum over roles, the sum is removed.
   for (const Side side : both_sides) {
     std::erase_if(sides_[index(side)].sums, [&](const Sum& sum) { return find(side, sum.name).has_value(); });
   }
@@ -100,6 +100,32 @@ bool operator==(const MetricNumbers& a, const MetricNumbers& b) {
 std::string_view without_roles(std::string_view path) {
   const std::string_view prefix = "roles.";
   return path.starts_with(prefix) ? path.substr(prefix.size()) : path;
+}
+
+constexpr std::size_t most_known = 256;  // largest number of stored MetricNames; one file usually has few
+
+MetricColumns::MetricColumns(MetricPaths paths)
+    : paths_(std::move(paths)), values_(2 * paths_.of_teams.size() + paths_.of_match.size()) {}
+
+const MetricColumns::Places& MetricColumns::places_in(const std::shared_ptr<const MetricNames>& names) {
+  if (const auto known = places_.find(names); known != places_.end()) return known->second;
+  if (places_.size() == most_known) places_.clear();
+  Places places;
+  for (const std::string& path : paths_.of_teams) {
+    for (const Side side : both_sides) places.push_back(names->find(side, path));
+  }
+  for (const std::string& path : paths_.of_match) places.push_back(names->find(std::nullopt, path));
+  return places_.emplace(names, std::move(places)).first->second;
+}
+
+std::span<const std::optional<double>> MetricColumns::of(const MetricNumbers& numbers) {
+  std::ranges::fill(values_, std::nullopt);
+  if (numbers.empty()) return values_;
+  const Places& places = places_in(numbers.shared_names());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i]) values_[i] = numbers.at(*places[i]);
+  }
+  return values_;
 }
 
 }  // namespace regista::match

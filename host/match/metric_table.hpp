@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The table of metrics: a row for each number of a match. Whoever stores, prints, explains or checks these numbers
-// reads this table: the file of results, JSON, CSV, the page of a tournament, the names that studies may use, and the
-// tables of docs/metrics.md. A number is added by adding its row. Every function that reads a table takes any, so that
-// rows may also be declared while the program runs.
+// The table of metrics has one row for each kind of number of a match. Result files, JSON, CSV, pages, the names in
+// studies and the tables of docs/metrics.md are made from this table. A new number needs only a new row. The functions
+// take the table as an argument, because a program may declare rows at run time.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
@@ -21,82 +19,80 @@
 
 namespace regista::match {
 
-// What numbers are taken from.
+// The match, side and member whose number a row reads.
 struct MetricSource {
   const Result& result;
-  std::optional<double> packets_share{};  // see campaign/match_json.hpp
-  Side side = Side::home;                 // of numbers of a team
-  std::size_t member = 0;                 // of numbers by role, event or plugin: which one
+  std::optional<double> packets_share{};  // packets: a short match's share of the budget; nothing: a whole match
+  Side side = Side::home;                 // used by rows of a team, role, event or plugin number
+  std::size_t member = 0;                 // index of the role, event or plugin number; used by rows of these
 
   const TeamMetrics& team() const { return result.metrics.teams[index(side)]; }
   const RoleMetrics& role() const { return team().coordination.roles[member]; }
 };
 
-struct MetricRow {
+struct MetricRow {  // describes one number, or one number for each member of a team
   enum class Of {
-    match,         // one number
-    team,          // one of each side
-    role,          // one of each role of each side: "striker.overlap_seconds"
-    event,         // one of each cause of packets, of each side: "packets_by_reason.whistle"
-    plugin_total,  // one of each number that its plugins sum up: "plugin_totals.voronoi.crossings"
-    plugin_value,  // one of each other number of its plugins
+    match,         // one number for the match
+    team,          // one number for each side
+    role,          // one number for each role of each side: "striker.overlap_seconds"
+    event,         // one number for each side and reason to send packets: "packets_by_reason.whistle"
+    plugin_total,  // one number for each plugin metric that is a sum: "plugin_totals.voronoi.crossings"
+    plugin_value,  // one number for each plugin metric that is not a sum
   };
-  // What a number says of the time it is taken over. Only sums can be added up, and told by the hour.
+  // Whether a number grows with the length of play. Only a sum may be added up over matches or given per hour.
   enum class Total {
-    sum,  // grows with it: how often, how long
-    mean  // does not: shares, errors, rates
+    sum,  // grows with the length of play: counts, durations
+    mean  // independent of the length: shares, errors, rates
   };
   using Number = std::function<std::optional<double>(const MetricSource&)>;
-  using List = std::function<std::vector<double>(const MetricSource&)>;  // no metric that a study can name
+  using List = std::function<std::vector<double>(const MetricSource&)>;  // a list of values; studies cannot name a list
 
   Of of = Of::team;
-  std::string_view part{};  // of docs/metrics.md: one of metric_parts
-  std::string name{};       // without side, role or event
-  std::string unit{};       // "s", "share"; empty: a plain number
+  std::string_view part{};  // the section of docs/metrics.md, one of metric_parts
+  std::string name{};       // the name without side, role, event or plugin metric
+  std::string unit{};       // "s", "share"; empty: no unit
   Total total = Total::mean;
-  std::string title{};    // of its row on a page; empty: it has none
-  int digits = 2;         // of a mean, after the point
-  std::string meaning{};  // Markdown
-  std::variant<Number, List> get{};
+  std::string title{};               // title on a page with results; empty: the row is on no page
+  int digits = 2;                    // digits after the decimal point of a mean on the page
+  std::string meaning{};             // the definition for docs/metrics.md, in Markdown
+  std::variant<Number, List> get{};  // reads the number or list
 
   bool is_list() const { return std::holds_alternative<List>(get); }
-  // The path of one number: "striker.overlap_seconds", "packets_by_reason.whistle".
+  // Returns the path of the number of one role, event or plugin metric, such as "striker.overlap_seconds".
   std::string path(const std::string& member) const;
-  // With "<role>." or "<event>" or "<plugin>.<metric>" where these stand.
+  // Returns the path with a placeholder for the member: "<role>.", "<event>" or "<plugin>.<metric>".
   std::string pattern() const;
 };
 
-// In the order of the documentation.
+// Sections of docs/metrics.md, in order.
 inline constexpr std::array<std::string_view, 6> metric_parts{"match", "coordination", "packets",
                                                               "world", "soccer",       "plugins"};
 
-// Those that every match has.
-const std::vector<MetricRow>& metric_table();
+const std::vector<MetricRow>& metric_table();  // The rows that every match has.
 
-// Names of roles, by side, in the order of the tables of roles.
+// By side: the names of the roles in the order of the team's table of roles.
 using RoleNames = std::array<std::vector<std::string>, 2>;
 
-// What a team has numbers of.
+// The names of a team's members (roles, reasons, plugin metrics) for which rows have numbers.
 struct MemberNames {
-  std::vector<std::string> roles;                            // in the order of its table
-  std::vector<std::string> reasons = TeamMetrics().reasons;  // what its packets are sent for
+  std::vector<std::string> roles;                            // in the order of the table of roles
+  std::vector<std::string> reasons = TeamMetrics().reasons;  // reasons to send packets
   std::vector<std::string> plugin_totals{}, plugin_values{};
 };
 
-// What a row has a number of on the side of such a team: of each role, each event, ..., or of "" alone.
+// Returns the members of a team for which a row has numbers, such as all roles; {""} for a row without members.
 std::vector<std::string> metric_members(const MetricRow& row, const MemberNames& team);
 
-// All numbers of a match. Those of lists have a place in their list, from 1.
+// Returns all numbers of a match. MetricName::place of a list's element is the position in the list, from 1.
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles);
 
-// The row that numbers under this path come from: "striker.overlap_seconds" and "overlap_seconds" are of the same.
-// Null for a path of no row. A path may begin with "roles.".
+// Returns the row to which a path belongs; null for an unknown path. "striker.overlap_seconds",
+// "roles.striker.overlap_seconds" and "overlap_seconds" belong to the same row.
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
 
-// What a study may name of such a team: paths of a side in the order of the table, then sums over roles.
+// Returns the names that a study may use for a team: the paths in the order of the table, then the sums over roles.
 std::vector<std::string> metric_paths(std::span<const MetricRow> table, const MemberNames& team);
 
-// To the sixth decimal: sums and shares have no more to say, and campaigns keep them for every match.
-double rounded_metric(double value);
+double rounded_metric(double value);  // Returns the value rounded to six decimals.
 
 }  // namespace regista::match

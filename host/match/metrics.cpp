@@ -1,45 +1,116 @@
 // SPDX-License-Identifier: MIT
 #include "match/metrics.hpp"
 
+#include <regista/extensions/metric.h>
+
+#include <algorithm>
+
 #include "match/sampling.hpp"
-#include "plugin/event_names.hpp"
+#include "plugin/description.hpp"
 
 namespace regista::match {
-namespace {
+
+PluginMeasures::PluginMeasures(std::vector<mind::TeamMetric> metrics, int team_size)
+    : metrics_(std::move(metrics)), combined_(metrics_.size()), last_told_(metrics_.size()) {
+  for (std::size_t i = 0; i < metrics_.size(); ++i) {
+    if (metrics_[i].combine == REGISTA_METRIC_OVER_TIME) last_told_[i].resize(at(team_size));
+  }
+}
+
+void PluginMeasures::add(Combined& to, std::uint64_t count, double sum, double least, double greatest) const {
+  to.least = to.count == 0 ? least : std::min(to.least, least);
+  to.greatest = to.count == 0 ? greatest : std::max(to.greatest, greatest);
+  to.count += count;
+  to.sum += sum;
+}
+
+void PluginMeasures::decided(int number, std::span<const mind::MetricReport> reports) {
+  for (const mind::MetricReport& each : reports) {
+    const auto metric = static_cast<std::size_t>(each.metric);
+    if (metrics_[metric].combine == REGISTA_METRIC_OVER_TIME) {
+      std::vector<Told>& robot = last_told_[metric][at(number - 1)];
+      const auto known = std::ranges::find(robot, each.place, &Told::place);
+      if (known == robot.end())
+        robot.push_back({each.place, each.last});
+      else
+        known->value = each.last;
+    } else {
+      add(combined_[metric], each.count, each.sum, each.least, each.greatest);
+    }
+  }
+}
+
+void PluginMeasures::crashed(int number) {
+  for (auto& robots : last_told_) {
+    if (!robots.empty()) robots[at(number - 1)].clear();
+  }
+}
+
+void PluginMeasures::sample() {
+  for (std::size_t i = 0; i < last_told_.size(); ++i) {
+    for (const std::vector<Told>& robot : last_told_[i]) {
+      for (const Told& each : robot) add(combined_[i], 1, each.value, each.value, each.value);
+    }
+  }
+}
+
+PluginMetrics PluginMeasures::result() const {
+  PluginMetrics out;
+  for (std::size_t i = 0; i < metrics_.size(); ++i) {
+    const Combined& all = combined_[i];
+    if (metrics_[i].combine == REGISTA_METRIC_SUM) {
+      out.total_names.push_back(metrics_[i].name);
+      out.totals.push_back(all.sum);
+      continue;
+    }
+    out.value_names.push_back(metrics_[i].name);
+    std::optional<double>& value = out.values.emplace_back();
+    if (all.count == 0) continue;
+    switch (metrics_[i].combine) {
+      case REGISTA_METRIC_LEAST:
+        value = all.least;
+        break;
+      case REGISTA_METRIC_GREATEST:
+        value = all.greatest;
+        break;
+      default:
+        value = all.sum / static_cast<double>(all.count);
+    }
+  }
+  return out;
+}
 
 constexpr double minute = 60.0;  // s
 
-}  // namespace
-
 TeamMetrics::TeamMetrics()
     : reasons(plugin::event_names.begin(), plugin::event_names.end()), packets_by_reason(reasons.size(), 0) {}
+
+Metrics::TeamMeasures::TeamMeasures(const config::Rules& rules, const std::vector<Role>& rows,
+                                    const std::vector<mind::TeamMetric>& metrics)
+    : table(rows),
+      roles(rules.team_size, rows),
+      agreement(rules.team_size, rows.size()),
+      tenures(rules.team_size, rules.durations.half),
+      targets(rules.team_size),
+      world(rules.team_size),
+      plugins(metrics, rules.team_size) {}
 
 Metrics::Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
                  const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons,
                  const std::array<std::vector<mind::TeamMetric>, 2>& plugin_metrics)
     : roster_{rules.team_size},
       half_(rules.durations.half),
-      table_(roles),
-      roles_{RoleMeasures(rules.team_size, roles[0]), RoleMeasures(rules.team_size, roles[1])},
-      agreements_{AgreementMeasures(rules.team_size, roles[0].size()),
-                  AgreementMeasures(rules.team_size, roles[1].size())},
-      tenures_{TenureMeasures(rules.team_size, half_), TenureMeasures(rules.team_size, half_)},
-      targets_{TargetMeasures(rules.team_size), TargetMeasures(rules.team_size)},
+      teams_{TeamMeasures(rules, roles[0], plugin_metrics[0]), TeamMeasures(rules, roles[1], plugin_metrics[1])},
       ball_(rules.team_size, robots),
-      worlds_{WorldMeasures(rules.team_size), WorldMeasures(rules.team_size)},
-      plugins_{PluginMeasures(plugin_metrics[0], rules.team_size), PluginMeasures(plugin_metrics[1], rules.team_size)},
       play_(rules) {
   for (const Side side : both_sides) {
-    if (reasons[index(side)].empty()) continue;
     TeamMetrics& team = result_.teams[index(side)];
-    team.reasons = reasons[index(side)];
+    if (!reasons[index(side)].empty()) team.reasons = reasons[index(side)];
     team.packets_by_reason.assign(team.reasons.size(), 0);
+    team.budget_curve.reserve(static_cast<std::size_t>(half_ * rules.durations.halves / minute) + 1);
   }
   own_.reserve(at(rules.team_size));
   opponents_.reserve(at(rules.team_size));
-  for (TeamMetrics& team : result_.teams) {
-    team.budget_curve.reserve(static_cast<std::size_t>(half_ * rules.durations.halves / minute) + 1);
-  }
 }
 
 std::uint32_t Metrics::active(Side side, const GameState& state) const {
@@ -49,7 +120,7 @@ std::uint32_t Metrics::active(Side side, const GameState& state) const {
 void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
                       const GameState& state) {
   const bool plays = state.phase == mind::Phase::playing && !state.is_penalised(side, number);
-  tenures_[index(side)].decided(number, outcome.role, time, plays);
+  teams_[index(side)].tenures.decided(number, outcome.role, time, plays);
   SegmentMetrics& segments = result_.teams[index(side)].segments;
   segments.offered += outcome.segments.offered;
   segments.refused += outcome.segments.refused;
@@ -57,31 +128,31 @@ void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool 
   segments.dropped += outcome.segments.dropped;
   segments.heard += outcome.segments.heard;
   segments.bytes += outcome.segments.bytes;
-  plugins_[index(side)].decided(number, outcome.metrics);
+  teams_[index(side)].plugins.decided(number, outcome.metrics);
   took(side, number, outcome, sees_ball, state);
 }
 
 void Metrics::crashed(Side side, int number, const GameState& state) {
-  tenures_[index(side)].crashed(number);
-  plugins_[index(side)].crashed(number);
+  teams_[index(side)].tenures.crashed(number);
+  teams_[index(side)].plugins.crashed(number);
   took(side, number, {}, false, state);
 }
 
 void Metrics::took(Side side, int number, const mind::Outcome& outcome, bool sees_ball, const GameState& state) {
-  const std::size_t i = index(side);
+  TeamMeasures& team = teams_[index(side)];
   std::optional<Vector> target;
   if (outcome.target) target = Vector{outcome.target->x, outcome.target->y};
-  bool plays_ball = outcome.role >= 0 && table_[i][at(outcome.role)].plays_ball;
-  // Whoever says where it goes goes there, whatever its role.
+  bool plays_ball = outcome.role >= 0 && team.table[at(outcome.role)].plays_ball;
+  // If the behaviour announces a target, this target counts instead of the role's task.
   if (outcome.announced) {
     target = Vector{outcome.announced->x, outcome.announced->y};
     plays_ball = false;
   }
-  roles_[i].decided(number, outcome.role, outcome.assignment, state.phase == mind::Phase::playing);
-  agreements_[i].decided(number, outcome.context, outcome.kept);
-  targets_[i].decided(number, target);
+  team.roles.decided(number, outcome.role, outcome.assignment, state.phase == mind::Phase::playing);
+  team.agreement.decided(number, outcome.context, outcome.kept);
+  team.targets.decided(number, target);
   ball_.decided(roster_.id(side, number), plays_ball, outcome.command.kick.has_value(), target);
-  worlds_[i].looked(number, sees_ball);
+  team.world.looked(number, sees_ball);
 }
 
 void Metrics::believes(Side side, int number, const Belief& belief, std::span<const BodyState> bodies,
@@ -98,7 +169,7 @@ void Metrics::believes(Side side, int number, const Belief& belief, std::span<co
       opponents_.push_back(place(bodies[at(id)]));
     }
   }
-  worlds_[index(side)].compare(number, belief, {place(bodies.back()), own_, active(side, state), opponents_});
+  teams_[index(side)].world.compare(number, belief, {place(bodies.back()), own_, active(side, state), opponents_});
 }
 
 void Metrics::sent(Side side, int reason, std::size_t bytes, double time) {
@@ -106,7 +177,7 @@ void Metrics::sent(Side side, int reason, std::size_t bytes, double time) {
   ++team.packets;
   team.packet_bytes += static_cast<std::int64_t>(bytes);
   ++team.packets_by_reason[at(reason)];
-  roles_[index(side)].sent(time);
+  teams_[index(side)].roles.sent(time);
 }
 
 void Metrics::stepped(const BodyState& ball, int touched_by, const GameState& state) {
@@ -118,7 +189,7 @@ void Metrics::stepped(const BodyState& ball, int touched_by, const GameState& st
 }
 
 void Metrics::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
-  add_minutes(state, {&result_.teams[0].budget_curve, &result_.teams[1].budget_curve});
+  add_minutes(state, result_);
   if (state.phase != mind::Phase::playing) return;
   ++samples_;
   if (state.in_play()) {
@@ -126,13 +197,13 @@ void Metrics::sample(const GameState& state, std::span<const BodyState> bodies, 
     ball_.sample(state, bodies, able);
   }
   for (const Side side : both_sides) {
-    const std::size_t i = index(side);
+    TeamMeasures& team = teams_[index(side)];
     const std::uint32_t robots = active(side, state);
-    roles_[i].sample(robots);
-    agreements_[i].sample(robots, roles_[i].agree(robots));
-    targets_[i].sample(robots);
-    worlds_[i].sample(robots);
-    plugins_[i].sample();
+    team.roles.sample(robots);
+    team.agreement.sample(robots, team.roles.agree(robots));
+    team.targets.sample(robots);
+    team.world.sample(robots);
+    team.plugins.sample();
   }
   play_.sample(state, bodies, last_touch_, able);
 }
@@ -141,32 +212,33 @@ RobotSet Metrics::chasing(const GameState& state, const BodyState& ball, RobotSe
   return state.phase == mind::Phase::playing ? ball_.chasing(state, ball, able) : 0;
 }
 
-void Metrics::add_minutes(const GameState& state, std::array<std::vector<int>*, 2> curves) const {
-  constexpr double rounding = 1e-6;  // s
+void Metrics::add_minutes(const GameState& state, MatchMetrics& out) const {
+  constexpr double rounding = 1e-6;  // s; tolerance, because sums of physics steps are not exact
   const double played = (state.half - 1) * half_ + state.clock + rounding;
-  while (static_cast<double>(curves[0]->size() + 1) * minute <= played) {
-    for (const Side side : both_sides) curves[index(side)]->push_back(state.packets_left[index(side)]);
+  while (static_cast<double>(out.teams[0].budget_curve.size() + 1) * minute <= played) {
+    for (std::size_t i = 0; i < 2; ++i) out.teams[i].budget_curve.push_back(state.packets_left[i]);
   }
 }
 
 MatchMetrics Metrics::result(const GameState& state, double end) const {
   MatchMetrics out = result_;
-  add_minutes(state, {&out.teams[0].budget_curve, &out.teams[1].budget_curve});
+  add_minutes(state, out);
   out.playing_seconds = seconds(samples_);
   out.in_play_seconds = seconds(in_play_);
   out.ball_rests = ball_.rests();
   out.ball_crowd_seconds = ball_.crowd_seconds();
   out.duels = play_.duels();
   for (const Side side : both_sides) {
+    const TeamMeasures& measures = teams_[index(side)];
     TeamMetrics& team = out.teams[index(side)];
-    team.coordination = roles_[index(side)].result(end);
-    team.agreement = agreements_[index(side)].result();
-    team.tenure = tenures_[index(side)].result();
-    team.targets = targets_[index(side)].result();
+    team.coordination = measures.roles.result(end);
+    team.agreement = measures.agreement.result();
+    team.tenure = measures.tenures.result();
+    team.targets = measures.targets.result();
     team.ball = ball_.result(side);
-    team.world_model = worlds_[index(side)].result();
+    team.world_model = measures.world.result();
     team.play = play_.result(side);
-    team.plugins = plugins_[index(side)].result();
+    team.plugins = measures.plugins.result();
   }
   return out;
 }

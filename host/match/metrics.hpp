@@ -1,38 +1,70 @@
 // SPDX-License-Identifier: MIT
-// All numbers about one match, a function of its course alone: how well the teams were coordinated (metrics_roles.hpp),
-// on what they agreed (metrics_agreement.hpp), how long they held their roles (metrics_tenure.hpp), how far apart they
-// wanted to be (metrics_targets.hpp), who went for the ball (metrics_ball.hpp), how well they knew the world
-// (metrics_world.hpp), what they sent, and their soccer (metrics_play.hpp). Fed with plain values as the match goes on;
-// it keeps sums, not the course. docs/metrics.md lists every number.
+// Computes all metrics of a match: coordination of the teams (metrics_coordination.hpp), knowledge of the world
+// (metrics_world.hpp), chases of the ball and soccer (metrics_play.hpp), packets, and reports of plugins. The metrics
+// depend only on what happens in the match. Metrics stores sums, not single events. docs/metrics.md lists every number.
 //
-// Sampled at 10 Hz in the phase Playing, each sample counting 0.1 s; beliefs once a second.
+// Metrics takes samples at 10 Hz in the phase Playing; each sample counts 0.1 s. Beliefs are sampled once a second.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "match/arena.hpp"
-#include "match/belief.hpp"
 #include "match/game_state.hpp"
-#include "match/metrics_agreement.hpp"
-#include "match/metrics_ball.hpp"
+#include "match/metrics_coordination.hpp"
 #include "match/metrics_play.hpp"
-#include "match/metrics_plugins.hpp"
-#include "match/metrics_roles.hpp"
-#include "match/metrics_targets.hpp"
-#include "match/metrics_tenure.hpp"
 #include "match/metrics_world.hpp"
-#include "mind/command.hpp"
+#include "match/physics_world.hpp"
+#include "mind/action.hpp"
+#include "mind/extensions/plugin_log.hpp"
 
 namespace regista::match {
 
-// What became of the segments of a team's mailboxes; see mind/world/segment_counts.hpp.
+// The numbers that the plugins of one team report about a match. A plugin declares how the reports of all robots are
+// combined (see <regista/extensions/metric.h>). Names have the form "<plugin>.<metric>".
+struct PluginMetrics {
+  std::vector<std::string> total_names, value_names;
+  std::vector<double> totals;                 // metrics that are sums, in the order of total_names
+  std::vector<std::optional<double>> values;  // other metrics, in the order of value_names; nothing: never reported
+};
+
+class PluginMeasures {  // computes PluginMetrics
+ public:
+  PluginMeasures(std::vector<mind::TeamMetric> metrics, int team_size);
+
+  std::size_t count() const { return metrics_.size(); }
+  // The caller calls this after each decision of robot `number`. The reports must be without fault (see unsound()).
+  void decided(int number, std::span<const mind::MetricReport> reports);
+  // The caller calls this when robot `number` has crashed. The robot's last reports then count in no further sample.
+  void crashed(int number);
+  void sample();  // The caller calls this ten times a second in the phase Playing.
+
+  PluginMetrics result() const;
+
+ private:
+  struct Combined {
+    std::uint64_t count = 0;
+    double sum = 0.0, least = 0.0, greatest = 0.0;
+  };
+  void add(Combined& to, std::uint64_t count, double sum, double least, double greatest) const;
+
+  struct Told {
+    std::int32_t place;  // place of the plugin's instance in the mind
+    double value;
+  };
+
+  std::vector<mind::TeamMetric> metrics_;
+  std::vector<Combined> combined_;                         // by metric
+  std::vector<std::vector<std::vector<Told>>> last_told_;  // by metric and robot: last reports, for means over time
+};
+
+// Counts of the segments that a team's plugins offered, sent and received; see mind::SegmentCounts.
 struct SegmentMetrics {
   std::int64_t offered = 0, refused = 0, sent = 0, dropped = 0, heard = 0, bytes = 0;
 };
@@ -46,11 +78,11 @@ struct TeamMetrics {
   BallMetrics ball;
   WorldModelMetrics world_model;
   PlayMetrics play;
-  int packets = 0;                     // sent, charged or not delivered as too long
-  std::int64_t packet_bytes = 0;       // of those
-  std::vector<std::string> reasons;    // names; those of abi.h first
-  std::vector<int> packets_by_reason;  // in that order
-  std::vector<int> budget_curve;       // packets left when the clock of the match shows 1, 2, ... minutes
+  int packets = 0;                     // number of packets charged to the budget, including too long packets
+  std::int64_t packet_bytes = 0;       // bytes of the charged packets
+  std::vector<std::string> reasons;    // names of reasons to send: first the events of abi.h
+  std::vector<int> packets_by_reason;  // in the order of `reasons`
+  std::vector<int> budget_curve;       // packets left in the budget after 1, 2, ... minutes of play
   SegmentMetrics segments;
   PluginMetrics plugins;
   int falls = 0, penalties = 0, kicks = 0, touches = 0;
@@ -58,10 +90,10 @@ struct TeamMetrics {
 
 struct MatchMetrics {
   std::array<TeamMetrics, 2> teams;  // by side
-  double playing_seconds = 0.0;      // phase Playing
-  double in_play_seconds = 0.0;      // without set plays
-  BallRests ball_rests;              // in play, though somebody could soon be there
-  double ball_crowd_seconds = 0.0;   // in play, with five robots or more at the ball
+  double playing_seconds = 0.0;      // time in the phase Playing
+  double in_play_seconds = 0.0;      // playing_seconds without set plays
+  BallRests ball_rests;              // times in play when the ball rests although a robot could soon reach it
+  double ball_crowd_seconds = 0.0;   // time in play with at least five robots near the ball
   int duels = 0;
 };
 
@@ -72,68 +104,73 @@ class Metrics {
           const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons = {},
           const std::array<std::vector<mind::TeamMetric>, 2>& plugin_metrics = {});
 
-  // Who is told of each shot, meant pass, clearance and duel that is counted.
   void tell_play(PlayTeller tell) { play_.tell(std::move(tell)); }
-  void now(double time) { play_.now(time); }  // s of match time; to be called before what happens then is told
+  void now(double time) { play_.now(time); }  // match time of the following calls, s
 
-  // Robot `number` has decided. sees_ball: in the image it decided on. time: s of match time.
+  // The caller calls this after each decision. sees_ball: the decision's image showed the ball. time: match time, s.
   void decided(Side side, int number, const mind::Outcome& outcome, bool sees_ball, double time,
                const GameState& state);
-  // From now on it decides nothing, and holds no role.
+  // The caller calls this when robot `number` has crashed. The robot has no role until its next decision.
   void crashed(Side side, int number, const GameState& state);
 
-  // What it believes after this decision. Bodies: the truth at that instant, robots by id, then the ball.
+  // Compares the belief of robot `number` with the truth at its decision. bodies: robots by id, then the ball.
   void believes(Side side, int number, const Belief& belief, std::span<const BodyState> bodies, const GameState& state);
 
   std::size_t reasons(Side side) const { return result_.teams[index(side)].reasons.size(); }
-  std::size_t plugin_metrics(Side side) const { return plugins_[index(side)].count(); }
-  void sent(Side side, int reason, std::size_t bytes, double time);  // s since the start of the match
+  std::size_t plugin_metrics(Side side) const { return teams_[index(side)].plugins.count(); }
+  void sent(Side side, int reason, std::size_t bytes, double time);  // time: match time, s
   void fell(Side side) { ++result_.teams[index(side)].falls; }
-  // A kick has reached the ball. receiver: shirt number of the teammate that it is meant for, 0 = nobody.
+  // The foot of robot `id` has hit the ball. receiver: shirt number of the intended teammate; 0 = nobody.
   void kicked(int id, int receiver) {
     ++result_.teams[index(roster_.side(id))].kicks;
     play_.kicked(id, receiver);
   }
   void penalised(Side side) { ++result_.teams[index(side)].penalties; }
   void scored(Side side) { play_.scored(side); }  // a goal that counts
-  void ball_placed() { play_.ball_placed(); }     // by hand
-  // After each physics step, before the referee judges it. touched_by: who touched the ball (id; -1: nobody).
+  void ball_placed() { play_.ball_placed(); }     // a person puts the ball down
+  // Call after each physics step, before Referee::update(). touched_by: id of the robot that touched the ball; -1:
+  // nobody.
   void stepped(const BodyState& ball, int touched_by, const GameState& state);
 
-  // To be called ten times in a second of match time. able: who stands and has not crashed; what it says of penalised
-  // robots is not looked at.
+  // Must be called ten times a second. able: robots that stand and have not crashed; penalised robots are ignored.
   void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
 
-  // Which of the able robots (see above) go for the ball while the phase is Playing; see metrics_ball.hpp.
+  // Returns the robots of `able` that go for the ball in the phase Playing, as metrics_play.hpp defines it.
   RobotSet chasing(const GameState& state, const BodyState& ball, RobotSet able) const;
 
-  void finish() { play_.finish(); }  // the match has ended; before the result
+  void finish() { play_.finish(); }  // must be called at the end of the match, before result()
 
-  // At the end of the match: its state, and its length in seconds.
+  // state: the game state at the end of the match. end: length of the match, s.
   MatchMetrics result(const GameState& state, double end) const;
 
  private:
-  std::uint32_t active(Side side, const GameState& state) const;
-  // What it decided, for all measures but the tenures.
+  std::uint32_t active(Side side, const GameState& state) const;  // robots without penalty: bit n - 1 for robot n
+  // Passes a decision to all measures except TenureMeasures.
   void took(Side side, int number, const mind::Outcome& outcome, bool sees_ball, const GameState& state);
-  // Of minutes that have passed and are not in the curve yet.
-  void add_minutes(const GameState& state, std::array<std::vector<int>*, 2> curves) const;
+  // Extends the budget curve of `out` by the minutes that have passed since its last entry.
+  void add_minutes(const GameState& state, MatchMetrics& out) const;
 
+  struct TeamMeasures {
+    TeamMeasures(const config::Rules& rules, const std::vector<Role>& roles,
+                 const std::vector<mind::TeamMetric>& metrics);
+
+    std::vector<Role> table;
+    RoleMeasures roles;
+    AgreementMeasures agreement;
+    TenureMeasures tenures;
+    TargetMeasures targets;
+    WorldMeasures world;
+    PluginMeasures plugins;
+  };
   Roster roster_;
-  double half_;  // s
-  std::array<std::vector<Role>, 2> table_;
-  std::array<RoleMeasures, 2> roles_;
-  std::array<AgreementMeasures, 2> agreements_;
-  std::array<TenureMeasures, 2> tenures_;
-  std::array<TargetMeasures, 2> targets_;
+  double half_;                        // duration of a half, s
+  std::array<TeamMeasures, 2> teams_;  // by side
   BallMeasures ball_;
-  std::array<WorldMeasures, 2> worlds_;
-  std::array<PluginMeasures, 2> plugins_;
   PlayMeasures play_;
   MatchMetrics result_;
   int samples_ = 0, in_play_ = 0;
   std::optional<Side> last_touch_;
-  std::vector<Vector> own_, opponents_;  // the truth of a comparison
+  std::vector<Vector> own_, opponents_;  // true positions for the comparison with a belief
 };
 
 }  // namespace regista::match

@@ -1,11 +1,55 @@
 // SPDX-License-Identifier: MIT
 #include "match/metrics_play.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "match/sampling.hpp"
 
 namespace regista::match {
+
+void Clearances::kicked(int id, Vector ball, double direction, double time) {
+  kick_.reset();
+  if (direction * ball.x < -length_ / 6.0) kick_ = {id, ball, direction, time};
+}
+
+std::optional<Clearances::Kick> Clearances::rolled(Vector ball) {
+  if (!kick_) return std::nullopt;
+  const double direction = kick_->direction;
+  const bool left = direction * ball.x >= -length_ / 6.0;
+  const bool far = to_goal(ball, direction) > to_goal(kick_->at, direction) + cleared_way;
+  return left || far ? std::exchange(kick_, std::nullopt) : std::nullopt;
+}
+
+void Duels::sample(std::span<const BodyState> bodies, RobotSet able, double time) {
+  const Vector ball{bodies.back().x, bodies.back().y};
+  std::array<int, 2> nearest{-1, -1};
+  std::array<double, 2> least{};  // m^2
+  for (int id = 0; id < roster_.count(); ++id) {
+    if (!contains(able, id)) continue;
+    const BodyState& body = bodies[at(id)];
+    const double distance = squared_length(Vector{body.x, body.y} - ball);
+    const std::size_t side = index(roster_.side(id));
+    if (distance > duel_reach * duel_reach || (nearest[side] >= 0 && distance >= least[side])) continue;
+    nearest[side] = id;
+    least[side] = distance;
+  }
+  holds_ = nearest[0] >= 0 && nearest[1] >= 0;
+  if (holds_) {
+    if (!duel_) duel_ = {nearest, least[0] <= least[1] ? Side::home : Side::away, time, ball, 0, {}};
+    ++duel_->samples;
+  } else if (duel_ && seconds(duel_->samples) < shortest_duel) {
+    duel_.reset();
+  }
+}
+
+std::optional<Duels::Duel> Duels::ended(std::optional<Side> won) {
+  holds_ = false;
+  std::optional<Duel> out = std::exchange(duel_, std::nullopt);
+  if (!out || seconds(out->samples) < shortest_duel) return std::nullopt;
+  out->won = won;
+  return out;
+}
 
 PlayMeasures::PlayMeasures(const config::Rules& rules)
     : roster_{rules.team_size},
@@ -29,18 +73,18 @@ void PlayMeasures::tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) 
 
 void PlayMeasures::end_shot(PlayOutcome outcome) {
   if (!shot_) return;
-  Team& shooting = team(roster_.side(shot_->robot));
-  if (outcome == PlayOutcome::goal) ++shooting.scored;
-  if (outcome == PlayOutcome::saved) ++shooting.saved;
+  PlayMetrics& shooting = counts(roster_.side(shot_->robot));
+  if (outcome == PlayOutcome::goal) ++shooting.shots_scored;
+  if (outcome == PlayOutcome::saved) ++shooting.shots_saved;
   tell(PlayKind::shot, *shot_, outcome);
   shot_.reset();
 }
 
 void PlayMeasures::end_pass(PlayOutcome outcome) {
   if (!pass_) return;
-  Team& passing = team(roster_.side(pass_->robot));
-  if (outcome == PlayOutcome::arrived) ++passing.arrived;
-  if (outcome == PlayOutcome::intercepted) ++passing.intercepted;
+  PlayMetrics& passing = counts(roster_.side(pass_->robot));
+  if (outcome == PlayOutcome::arrived) ++passing.meant_passes_arrived;
+  if (outcome == PlayOutcome::intercepted) ++passing.meant_passes_intercepted;
   tell(PlayKind::pass, *pass_, outcome);
   pass_.reset();
 }
@@ -54,7 +98,7 @@ void PlayMeasures::pass_met_by(int robot) {
 void PlayMeasures::end_duel(const std::optional<Duels::Duel>& duel) {
   if (!duel) return;
   ++duel_count_;
-  if (duel->won) ++team(*duel->won).duels_won;
+  if (duel->won) ++counts(*duel->won).duels_won;
   if (!tell_) return;
   const Side side = duel->nearer;
   const PlayOutcome outcome = !duel->won           ? PlayOutcome::undecided
@@ -75,7 +119,7 @@ void PlayMeasures::step(const BodyState& ball, int touched_by, int half) {
   half_ = half;
   if (touched_by >= 0) touched(touched_by, now, half);
   if (const auto kick = clearances_.rolled(now.position)) {
-    ++team(roster_.side(kick->id)).clearances;
+    ++counts(roster_.side(kick->id)).clearances;
     tell(PlayKind::clearance, {kick->id, kick->began, kick->at}, PlayOutcome::none);
   }
   ball_ = now;
@@ -85,7 +129,7 @@ bool PlayMeasures::on_target(Side side, const Ball& ball, int half) const {
   const double direction = attack(side, half);
   const double to_line = goal_line_ - direction * ball.position.x, towards = direction * ball.velocity.x;
   if (to_line <= 0.0 || towards <= 0.0) return false;
-  const double time = to_line / towards;  // at this speed
+  const double time = to_line / towards;  // s until the ball reaches the line at constant speed
   if (std::abs(ball.position.y + time * ball.velocity.y) >= half_goal_) return false;
   const double way = time * length(ball.velocity);
   return 2.0 * deceleration_ * way <= squared_length(ball.velocity);
@@ -96,7 +140,7 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   pass_met_by(robot);
   end_duel(duels_.touched(side));
   clearances_.touched(robot);
-  // A post may have turned it away.
+  // The shot has missed if the ball, for example after a goal post, was not on target before this touch.
   if (shot_ && !on_target(roster_.side(shot_->robot), ball_, half)) end_shot(PlayOutcome::missed);
   bool saved = false;
   if (shot_ && !on_target(roster_.side(shot_->robot), ball, half)) {
@@ -104,15 +148,15 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
     end_shot(saved ? PlayOutcome::saved : PlayOutcome::missed);
   }
   if (!shot_ && on_target(side, ball, half)) {
-    ++team(side).shots;
+    ++counts(side).shots;
     shot_ = {robot, now_, ball.position};
     clearances_.drop();
   }
   if (last_ && last_->robot != robot && squared_length(ball.position - last_->ball) > shortest_pass * shortest_pass) {
     if (roster_.side(last_->robot) == side) {
-      ++team(side).passes;
+      ++counts(side).passes;
     } else if (!saved) {
-      ++team(side).interceptions;
+      ++counts(side).interceptions;
     }
   }
   last_ = {robot, ball.position};
@@ -123,12 +167,12 @@ void PlayMeasures::kicked(int id, int receiver) {
   end_pass(PlayOutcome::lost);
   clearances_.drop();
   if (receiver == 0) {
-    // Nobody has touched it since it was put down: a goal kick, or another set play.
+    // A goal kick or other set play is not a clearance. In a set play ball_placed() has cleared last_.
     if (last_) clearances_.kicked(id, ball_.position, attack(roster_.side(id), half_), now_);
     return;
   }
   pass_ = {id, now_, ball_.position, receiver};
-  ++team(roster_.side(id)).meant;
+  ++counts(roster_.side(id)).meant_passes;
 }
 
 void PlayMeasures::scored(Side side) {
@@ -165,34 +209,22 @@ void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bod
   }
   duels_.sample(bodies, able, now_);
   ++in_play_;
-  if (last_touch) ++team(*last_touch).possession;
+  if (last_touch) ++teams_[index(*last_touch)].possession;
   for (const Side side : both_sides) {
     const double x = attack(side, state.half) * static_cast<double>(bodies.back().x);
-    team(side).ball_x += x;
-    if (x > 0.0) ++team(side).in_opponent_half;
+    Team& team = teams_[index(side)];
+    team.ball_x += x;
+    if (x > 0.0) ++team.in_opponent_half;
   }
 }
 
 PlayMetrics PlayMeasures::result(Side side) const {
   const Team &own = teams_[index(side)], &other = teams_[index(opposite(side))];
-  PlayMetrics out;
-  out.shots = own.shots;
-  out.shots_scored = own.scored;
-  out.shots_saved = own.saved;
-  out.passes = own.passes;
-  out.interceptions = own.interceptions;
-  out.meant_passes = own.meant;
-  out.meant_passes_arrived = own.arrived;
-  out.meant_passes_intercepted = own.intercepted;
-  out.clearances = own.clearances;
-  out.duels_won = own.duels_won;
-  out.possession_seconds = static_cast<double>(own.possession) / samples_per_second;
-  const int possessed = own.possession + other.possession;
-  if (possessed > 0) out.possession_share = static_cast<double>(own.possession) / possessed;
-  if (in_play_ > 0) {
-    out.ball_x_metres = own.ball_x / in_play_;
-    out.opponent_half_share = static_cast<double>(own.in_opponent_half) / in_play_;
-  }
+  PlayMetrics out = own.counts;
+  out.possession_seconds = seconds(own.possession);
+  out.possession_share = share(own.possession, own.possession + other.possession);
+  out.ball_x_metres = mean(own.ball_x, in_play_);
+  out.opponent_half_share = share(own.in_opponent_half, in_play_);
   for (int number = 1; number <= roster_.team_size; ++number) {
     const double walked = walked_[at(roster_.id(side, number))];
     out.robot_distance_metres.push_back(walked);
@@ -200,5 +232,87 @@ PlayMetrics PlayMeasures::result(Side side) const {
   }
   return out;
 }
+
+namespace {
+
+double way_in(double time, const config::Robot& robot) { return robot.body.radius + time * robot.walk.forward; }
+
+}  // namespace
+
+BallMeasures::BallMeasures(int team_size, const std::array<config::Robot, 2>& robots)
+    : roster_{team_size},
+      within_reach_{way_in(soon, robots[0]), way_in(soon, robots[1])},
+      decisions_(at(roster_.count())) {}
+
+bool BallMeasures::Decision::goes_for(const Vector& ball) const {
+  return plays || kicks || (target && squared_length(*target - ball) <= for_the_ball * for_the_ball);
+}
+
+RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
+  RobotSet out = 0;
+  for (int id = 0; id < roster_.count(); ++id) {
+    const Side side = roster_.side(id);
+    if (!contains(able, id) || state.is_penalised(side, roster_.number(id))) continue;
+    if (decisions_[at(id)].goes_for(attack(side, state.half) * Vector{ball.x, ball.y})) out |= only(id);
+  }
+  return out;
+}
+
+void BallMeasures::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
+  ++samples_;
+  const BodyState& ball = bodies.back();
+  const Vector place{ball.x, ball.y};
+  const RobotSet goes = chasing(state, ball, able);
+  bool neglected = false;
+  int near = 0;
+  for (const Side side : both_sides) {
+    int nearest = -1, chasing = 0;
+    double least = 0.0;  // m^2
+    for (int number = 1; number <= roster_.team_size; ++number) {
+      if (state.is_penalised(side, number)) continue;
+      const int id = roster_.id(side, number);
+      const BodyState& body = bodies[at(id)];
+      const double distance = squared_length(Vector{body.x, body.y} - place);
+      if (distance <= near_ball * near_ball) {
+        ++teams_[index(side)].near;
+        ++near;
+      }
+      if (!contains(able, id)) continue;
+      if (nearest < 0 || distance < least) {
+        nearest = id;
+        least = distance;
+      }
+      if (contains(goes, id)) ++chasing;
+    }
+    Team& team = teams_[index(side)];
+    if (chasing >= 2) ++team.several;
+    if (nearest < 0) continue;
+    ++team.nearest;
+    if (contains(goes, nearest)) ++team.nearest_plays;
+    const double reach = within_reach_[index(side)];
+    if (least <= reach * reach) neglected = true;
+  }
+  if (near >= crowd) ++crowd_;
+  if (!neglected || squared_length({ball.vx, ball.vy}) >= at_rest * at_rest) {
+    resting_ = 0;
+    return;
+  }
+  ++rest_;
+  ++resting_;
+  if (resting_ == 1) ++rests_;
+  // A rest is counted as long once: in the first sample in which its length exceeds long_rest.
+  constexpr int too_long = static_cast<int>(long_rest * samples_per_second) + 1;
+  if (resting_ == too_long) ++long_rests_;
+  longest_rest_ = std::max(longest_rest_, resting_);
+}
+
+BallMetrics BallMeasures::result(Side side) const {
+  const Team& team = teams_[index(side)];
+  return {share(team.nearest_plays, team.nearest), mean(team.near, samples_), seconds(team.several)};
+}
+
+BallRests BallMeasures::rests() const { return {seconds(rest_), rests_, long_rests_, seconds(longest_rest_)}; }
+
+double BallMeasures::crowd_seconds() const { return seconds(crowd_); }
 
 }  // namespace regista::match

@@ -1,23 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The soccer of a match, out of the course of the ball, of touches and of the referee's calls, in the phase Playing.
-// docs/metrics.md has the formulas.
+// Computes the soccer numbers of a match in the phase Playing from ball motion, touches and calls of the referee.
+// metric_table.cpp defines each number; `a` in its texts is the deceleration of the rolling ball.
 //
-// - Shot: after a touch the ball would roll, if nobody touched it again, all of it over the opponent's goal line
-// between
-//   the posts: the line is within the distance v^2 / (2 a) that it can roll. One shot lasts until the ball is no longer
-//   on such a course, or is dead; touches that leave it there are part of it.
-// - Scored: a goal that counts ended it. Saved: the touch of an opponent turned the ball away.
-// - Pass: the next robot that touches the ball after one of a team is another of that team, more than 0.5 m from the
-//   place of the last touch. Interception: it is one of the other team, and no shot was saved by it.
-// - Meant pass: a kick of which the behaviour said that it is meant for a teammate. It arrives when the next robot but
-//   the kicker to touch or kick the ball is a teammate, and is intercepted when it is an opponent. When the kicker
-//   kicks again before, or the ball is dead, it does neither.
-// - Clearance: see clearances.hpp. Duel: see duels.hpp.
-// - Territory: where the ball is, in the field frame of the team, while it is in play.
-// - Distance walked: the way of the bodies of robots that are not penalised.
-//
-// Each shot, meant pass, clearance and duel that is counted is told once it is decided what became of it; at the end of
-// the match those that are under way are.
+// PlayMeasures reports each shot, meant pass, clearance and duel when its outcome is known or the match ends.
 #pragma once
 
 #include <array>
@@ -26,28 +11,91 @@
 #include <utility>
 #include <vector>
 
+#include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "match/arena.hpp"
-#include "match/clearances.hpp"
-#include "match/duels.hpp"
 #include "match/game_state.hpp"
-#include "match/play_event.hpp"
+#include "match/physics_world.hpp"
+#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
 
-constexpr double shortest_pass = 0.5;  // m; assumption: twice what separates a dribbling robot from its ball
+constexpr double cleared_way = 2.0;  // m towards the opponents' goal; assumption: a dribble pushes the ball less far
+
+// Detects clearances: kicks out of the own third of the field (an assumption, see metric_table.cpp).
+class Clearances {
+ public:
+  explicit Clearances(const config::FieldSize& field) : length_(field.length) {}
+
+  // Robot `id` has kicked the ball. This kick replaces the pending kick. direction: attack direction, +1 or -1.
+  void kicked(int id, Vector ball, double direction, double time);
+  void touched(int id) {
+    if (kick_ && kick_->id != id) kick_.reset();
+  }
+  void drop() { kick_.reset(); }  // forgets the pending kick, which was a pass or a shot, or the ball is dead
+
+  struct Kick {
+    int id;
+    Vector at;
+    double direction, began;
+  };
+  // Must be called with each new ball position. Returns the pending kick if the position makes it a clearance.
+  std::optional<Kick> rolled(Vector ball);
+
+ private:
+  double to_goal(Vector ball, double direction) const { return length(direction * ball + Vector{length_ / 2.0, 0.0}); }
+
+  double length_;
+  std::optional<Kick> kick_;  // pending kick: may become a clearance; empty: no such kick
+};
+
+constexpr double duel_reach = 0.5;     // m from the ball; assumption: two steps of a robot
+constexpr double shortest_duel = 1.0;  // s; assumption: two robots that only pass each other need less time
+
+// Detects duels. The condition of a duel: able robots of both teams are within duel_reach of the ball. The duel is
+// between the robot of each team that was nearest to the ball when the condition became true. The first touch after the
+// condition has become false decides the duel. If the condition is true again before a touch, the same duel goes on. A
+// duel is undecided if the ball is dead before the deciding touch. A duel shorter than shortest_duel does not count.
+class Duels {
+ public:
+  explicit Duels(int team_size) : roster_{team_size} {}
+
+  struct Duel {
+    std::array<int, 2> robots{};  // by side: id of the robot in the duel
+    Side nearer = Side::home;     // side whose robot was nearer to the ball at the beginning
+    double began = 0.0;           // match time, s
+    Vector at;                    // position of the ball at the beginning
+    int samples = 0;              // number of samples in which the condition was true
+    std::optional<Side> won;      // side that won; nothing: undecided
+  };
+
+  // Must be called ten times a second while the ball is in play. able: active robots that stand and have not crashed.
+  void sample(std::span<const BodyState> bodies, RobotSet able, double time);
+  // The next three functions return the duel that the event ends; nothing if no duel ends.
+  std::optional<Duel> touched(Side side) { return holds_ ? std::nullopt : ended(side); }
+  std::optional<Duel> scored(Side side) { return ended(side); }
+  std::optional<Duel> dead() { return ended(std::nullopt); }  // the ball is dead or the match has ended
+
+ private:
+  std::optional<Duel> ended(std::optional<Side> won);
+
+  Roster roster_;
+  std::optional<Duel> duel_;
+  bool holds_ = false;  // the condition was true in the last sample
+};
+
+constexpr double shortest_pass = 0.5;  // m; assumption: a dribbling robot keeps the ball within half of this
 
 struct PlayMetrics {
   int shots = 0, shots_scored = 0, shots_saved = 0;
   int passes = 0, interceptions = 0;
   int meant_passes = 0, meant_passes_arrived = 0, meant_passes_intercepted = 0;
   int clearances = 0, duels_won = 0;
-  std::optional<double> possession_share;     // of the time that either team had the ball
-  double possession_seconds = 0.0;            // ball in play and last touched by this team
-  std::optional<double> ball_x_metres;        // mean; nothing while the ball was never in play
-  std::optional<double> opponent_half_share;  // of the time in play
-  double distance_walked_metres = 0.0;        // of all robots
+  std::optional<double> possession_share;     // possession_seconds / the sum of both teams' values
+  double possession_seconds = 0.0;            // time in play after a touch by this team
+  std::optional<double> ball_x_metres;        // mean x of the ball, towards the opponents' goal; nothing: never in play
+  std::optional<double> opponent_half_share;  // share of the time in play with the ball in the opponents' half
+  double distance_walked_metres = 0.0;        // sum over all robots
   std::vector<double> robot_distance_metres;  // by robot (n - 1)
 };
 
@@ -56,19 +104,20 @@ class PlayMeasures {
   explicit PlayMeasures(const config::Rules& rules);
 
   void tell(PlayTeller tell) { tell_ = std::move(tell); }
-  void now(double time) { now_ = time; }  // s of match time; what follows happens then
+  void now(double time) { now_ = time; }  // match time of the following calls, s
 
-  // After each physics step in the phase Playing, before the referee judges it: the ball now, and the robot that
-  // touched it (id; -1: nobody). half: see attack().
+  // The caller calls this after each physics step in Playing, before the referee judges the step. touched_by: id of the
+  // robot that touched the ball; -1: nobody. half: half of the match, from 1.
   void step(const BodyState& ball, int touched_by, int half);
 
-  // Robot `id` has kicked the ball; before the step that moves it. receiver: 0 = nobody.
+  // Robot `id` has kicked the ball. Must be called before the step that moves the ball. receiver: shirt number of the
+  // teammate for whom the kick is meant; 0 = nobody.
   void kicked(int id, int receiver);
   void scored(Side side);  // a goal that counts
-  void ball_placed();      // somebody put it down: what went before is over
+  void ball_placed();      // a person puts the ball down, which ends all present plays
 
-  // Ten times in a second of the phase Playing. Bodies: robots by id, then the ball. in_play: no set play.
-  // last_touch: of the ball, by which side; nothing before the first. able: of the robots that are not penalised, too.
+  // Must be called ten times a second in Playing. bodies: robots by id, then the ball. last_touch: side of the last
+  // touch; nothing before a touch. able: robots that stand and have not crashed; penalised robots are ignored.
   void sample(const GameState& state, std::span<const BodyState> bodies, std::optional<Side> last_touch, RobotSet able);
 
   void finish();  // the match has ended
@@ -78,10 +127,8 @@ class PlayMeasures {
 
  private:
   struct Team {
-    int shots = 0, scored = 0, saved = 0, passes = 0, interceptions = 0;
-    int meant = 0, arrived = 0, intercepted = 0;  // meant passes
-    int clearances = 0, duels_won = 0;
-    int possession = 0, in_opponent_half = 0;  // samples
+    PlayMetrics counts;                        // numbers of shots, passes, ...
+    int possession = 0, in_opponent_half = 0;  // numbers of samples
     double ball_x = 0.0;                       // sum over samples in play
   };
   struct Ball {
@@ -91,7 +138,7 @@ class PlayMeasures {
     int robot;  // id
     Vector ball;
   };
-  // What is under way: who began it, when, and where the ball was.
+  // A play that has begun. began: match time, s. at: ball position at that time.
   struct Begun {
     int robot;  // id
     double began;
@@ -101,26 +148,97 @@ class PlayMeasures {
   void touched(int robot, const Ball& ball, int half);
   void end_shot(PlayOutcome outcome);
   void end_pass(PlayOutcome outcome);
-  void pass_met_by(int robot);  // touches or kicks the ball
+  void pass_met_by(int robot);  // ends the meant pass if another robot touches or kicks the ball
   void end_duel(const std::optional<Duels::Duel>& duel);
   void tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) const;
   bool on_target(Side side, const Ball& ball, int half) const;
-  Team& team(Side side) { return teams_[index(side)]; }
+  PlayMetrics& counts(Side side) { return teams_[index(side)].counts; }
 
   Roster roster_;
-  double goal_line_, half_goal_, deceleration_;  // all of the ball is behind the goal line: x of its centre
+  // goal_line_: |x| of the ball's centre at which the whole ball is behind the goal line, m. half_goal_: half the
+  // goal's width, m. deceleration_: of the rolling ball, m/s^2.
+  double goal_line_, half_goal_, deceleration_;
   std::array<Team, 2> teams_;
   std::vector<double> walked_;  // by id, m
-  int in_play_ = 0;             // samples
+  int in_play_ = 0;             // number of samples in play
   int duel_count_ = 0;
   PlayTeller tell_;
   double now_ = 0.0;
-  int half_ = 1;  // of the last step
-  Ball ball_;     // after the last step
+  int half_ = 1;  // half of the last step
+  Ball ball_;     // state after the last step
   std::optional<Touch> last_;
-  std::optional<Begun> shot_, pass_;  // a meant pass, until somebody else has it
+  std::optional<Begun> shot_, pass_;  // pass_: a meant pass that no other robot has touched
   Clearances clearances_;
   Duels duels_;
+};
+
+// --- BallMeasures measures how robots chase the ball and how long they neglect the ball, while the ball is in play. It
+// uses true positions and the last decisions of the robots. metric_table.cpp defines each number.
+//
+// An able robot is active, stands, and has not crashed. A robot goes for the ball if its role plays the ball, its
+// target lies within 0.3 m of the ball, or it asks for a kick. If the robot's behaviour announces a target, the role
+// does not count, and the announced target replaces the role's target.
+//
+// The ball rests if it is slower than 0.05 m/s and an able robot of either team could touch it within 3 s by walking
+// straight at full forward speed. A rest lasts until this condition ends. A set play between two samples ends no rest.
+
+constexpr double near_ball = 1.0;     // m; a robot within this distance of the ball is near the ball
+constexpr double for_the_ball = 0.3;  // m; assumption: a robot goes to the ball if its target is within this distance
+constexpr double at_rest = 0.05;      // m/s; assumption: a slower ball stops within half a centimetre
+constexpr double soon = 3.0;          // s; assumption: a robot that needs more time to the ball does not neglect it
+constexpr int crowd = 5;              // number of robots near the ball that make a crowd
+constexpr double long_rest = 15.0;    // s; assumption: a rest is long if it lasts more than this time
+
+struct BallMetrics {
+  std::optional<double> nearest_plays_share;  // the nearest able robot goes for the ball; nothing: no robot was able
+  std::optional<double> robots_near;          // mean number near the ball; nothing: the ball was never in play
+  double chased_by_several_seconds = 0.0;
+};
+
+struct BallRests {
+  double seconds = 0.0;          // sum of all rests
+  int count = 0, long_ones = 0;  // long_ones: number of rests over 15 s
+  double longest_seconds = 0.0;
+};
+
+class BallMeasures {
+ public:
+  BallMeasures(int team_size, const std::array<config::Robot, 2>& robots);
+
+  // The caller calls this after each decision. plays: the robot's role plays the ball, and the behaviour announces no
+  // target. kicks: the robot asks for a kick. target: in the field frame of the robot's side.
+  void decided(int id, bool plays, bool kicks, std::optional<Vector> target) {
+    decisions_[at(id)] = {plays, kicks, target};
+  }
+
+  // The caller calls this ten times a second while the ball is in play. bodies: robots by id, then the ball. able:
+  // robots that stand and have not crashed; penalised robots are ignored.
+  void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
+
+  // Returns the robots of `able` that go for the ball, by their last decisions. able: as in sample().
+  RobotSet chasing(const GameState& state, const BodyState& ball, RobotSet able) const;
+
+  BallMetrics result(Side side) const;
+  BallRests rests() const;
+  double crowd_seconds() const;
+
+ private:
+  struct Decision {
+    bool plays = false, kicks = false;
+    std::optional<Vector> target;
+    bool goes_for(const Vector& ball) const;
+  };
+  struct Team {
+    int near = 0;                                     // sum over samples of the number of robots near the ball
+    int nearest = 0, nearest_plays = 0, several = 0;  // numbers of samples
+  };
+  Roster roster_;
+  std::array<double, 2> within_reach_;  // by side: distance from which a robot can touch the ball within 3 s, m
+  std::vector<Decision> decisions_;     // by id
+  std::array<Team, 2> teams_;
+  int samples_ = 0, crowd_ = 0;
+  int rest_ = 0, rests_ = 0, long_rests_ = 0, longest_rest_ = 0;
+  int resting_ = 0;  // number of samples of the present rest
 };
 
 }  // namespace regista::match

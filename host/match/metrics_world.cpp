@@ -1,11 +1,31 @@
 // SPDX-License-Identifier: MIT
 #include "match/metrics_world.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "match/sampling.hpp"
 
 namespace regista::match {
+
+Ospa::Ospa(double cutoff, std::size_t most) : cutoff_(cutoff) {
+  cost_.reserve(most * most);
+  assignment_.reserve(most, most);
+}
+
+OspaParts Ospa::operator()(std::span<const Vector> a, std::span<const Vector> b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  if (b.empty()) return {};
+  cost_.clear();
+  for (const Vector& one : a) {
+    for (const Vector& other : b) cost_.push_back(std::min(cutoff_, length(one - other)));
+  }
+  const auto count = static_cast<double>(b.size());
+  return {assignment_.solve(cost_, a.size(), b.size()) / count,
+          cutoff_ * static_cast<double>(b.size() - a.size()) / count};
+}
+
 namespace {
 
 // Quantile 0.95 of the chi-square law with two degrees of freedom: -2 ln 0.05.
@@ -13,8 +33,7 @@ constexpr double chi_square_95 = 5.991464547107981;
 
 }  // namespace
 
-WorldMeasures::WorldMeasures(int team_size)
-    : ospa_(ospa_cutoff, static_cast<std::size_t>(team_size)), sees_ball_(static_cast<std::size_t>(team_size), 0) {}
+WorldMeasures::WorldMeasures(int team_size) : ospa_(ospa_cutoff, at(team_size)), sees_ball_(at(team_size), 0) {}
 
 void WorldMeasures::Errors::add(const Estimate& estimate, Vector truth) {
   ++asked;

@@ -2,31 +2,25 @@
 #include "match/offence_watch.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
-#include "match/areas.hpp"
+#include "match/placement.hpp"
 
 namespace regista::match {
 namespace {
 
-// A contact that was there so recently still is: solvers let bodies part for a step.
-constexpr double contact_lasts = 0.2;  // s
-constexpr double still = 1e-3;         // m/s
-constexpr double dribbled = 0.25;      // m: who moves the ball so far does not hold it
+constexpr double still = 1e-3;     // m/s; a robot that is slower does not walk
+constexpr double dribbled = 0.25;  // m; a robot that moves the ball farther does not hold the ball
 
 bool longer(double seconds, double limit) { return seconds > limit - 1e-6; }
 
-Vector at(const Scene& scene, int id) { return scene.robots[static_cast<std::size_t>(id)]; }
+Vector place_of(const Scene& scene, int id) { return scene.robots[at(id)]; }
 
-Vector steps_of(const Scene& scene, int id) {
-  return scene.steps.empty() ? Vector{} : scene.steps[static_cast<std::size_t>(id)];
-}
+Vector steps_of(const Scene& scene, int id) { return scene.steps.empty() ? Vector{} : scene.steps[at(id)]; }
 
 }  // namespace
 
 OffenceWatch::OffenceWatch(const config::Rules& rules, Roster roster)
-    : rules_(rules), roster_(roster), watched_(static_cast<std::size_t>(roster.count())) {
+    : rules_(rules), roster_(roster), watched_(at(roster.count())) {
   calls_.reserve(watched_.size());
 }
 
@@ -50,15 +44,15 @@ std::span<const Offender> OffenceWatch::watch(const Scene& scene, const GameStat
 }
 
 bool OffenceWatch::guards_its_goal(const Scene& scene, const GameState& state, int id) const {
-  return roster_.number(id) == 1 && in_penalty_area(rules_.field, -attack(roster_.side(id), state.half), at(scene, id));
+  return roster_.number(id) == 1 &&
+         in_penalty_area(rules_.field, -attack(roster_.side(id), state.half), place_of(scene, id));
 }
 
 void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, RobotSet playing, double passed) {
   const config::Offences& limits = rules_.offences;
   const bool play = state.phase == mind::Phase::playing;
   const bool must_stand = state.phase == mind::Phase::set && longer(time_ - state.phase_began, limits.notice_set);
-  for (RobotSet rest = playing; rest != 0; rest &= rest - 1) {
-    const int id = std::countr_zero(rest);
+  for (const int id : Members(playing)) {
     Watched& robot = of(id);
     const bool lies = contains(scene.fallen, id);
     robot.lies = lies ? robot.lies + passed : 0.0;
@@ -69,13 +63,12 @@ void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, Robo
     if (must_stand && !lies && (walks || contains(scene.turning, id))) call(id, Offence::motion_in_set);
 
     if (contains(scene.at_walls, id)) robot.was_at_wall = time_;
-    const bool walks_on = time_ - robot.was_at_wall <= contact_lasts && robot.was_at_wall >= 0.0 && walks;
+    const bool walks_on = recently(robot.was_at_wall) && walks;
     robot.at_wall = walks_on ? robot.at_wall + passed : 0.0;
     if (longer(robot.at_wall, limits.walk_into_goal) && walks_on) call(id, Offence::leaving_the_field);
 
     if (contains(scene.touching, id)) robot.touched = time_;
-    const bool holds = play && state.in_play() && !lies && !contains(scene.kicking, id) && robot.touched >= 0.0 &&
-                       time_ - robot.touched <= contact_lasts;
+    const bool holds = play && state.in_play() && !lies && !contains(scene.kicking, id) && recently(robot.touched);
     if (squared_length(scene.ball - robot.held_at) > dribbled * dribbled) {
       robot.held_at = scene.ball;
       robot.holds = 0.0;
@@ -86,7 +79,7 @@ void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, Robo
   }
 }
 
-// Its legs carry it that way, and not past it.
+// Whether the robot walks in the direction `towards` (unit vector to another robot) and not past the other robot.
 bool OffenceWatch::presses(const Scene& scene, int id, Vector towards) const {
   const Vector legs = steps_of(scene, id);
   const double against = dot(legs, towards);
@@ -98,7 +91,7 @@ void OffenceWatch::watch_pushing(const Scene& scene, const GameState& state, Rob
     const std::array<int, 2> ids{contact[0], contact[1]};
     if (roster_.side(ids[0]) == roster_.side(ids[1])) continue;
     if (!contains(playing, ids[0]) || !contains(playing, ids[1])) continue;
-    const Vector apart = at(scene, ids[1]) - at(scene, ids[0]);
+    const Vector apart = place_of(scene, ids[1]) - place_of(scene, ids[0]);
     const double distance = length(apart);
     if (distance < 1e-6) continue;
     const Vector towards = (1.0 / distance) * apart;
@@ -106,10 +99,10 @@ void OffenceWatch::watch_pushing(const Scene& scene, const GameState& state, Rob
     if (press[0] == press[1]) continue;
     const int pusher = press[0] ? ids[0] : ids[1], victim = press[0] ? ids[1] : ids[0];
     if (contains(scene.fallen | scene.kicking, pusher) || guards_its_goal(scene, state, pusher)) continue;
-    // Who is pushed itself cannot be called.
-    if (of(pusher).was_pushed >= 0.0 && time_ - of(pusher).was_pushed <= contact_lasts) continue;
+    // A robot that another robot pushes gets no penalty for pushing.
+    if (recently(of(pusher).was_pushed)) continue;
     Watched& robot = of(pusher);
-    const bool goes_on = robot.victim == victim && time_ - robot.pushed <= contact_lasts;
+    const bool goes_on = robot.victim == victim && recently(robot.pushed);
     robot.pushes = goes_on ? robot.pushes + (time_ - robot.pushed) : passed;
     robot.pushed = time_;
     robot.victim = victim;
@@ -117,15 +110,15 @@ void OffenceWatch::watch_pushing(const Scene& scene, const GameState& state, Rob
     of(victim).pusher = pusher;
     if (longer(robot.pushes, rules_.offences.pushing_lasts)) call(pusher, Offence::pushing, victim);
   }
-  // Or until the other falls.
-  for (RobotSet rest = playing; rest != 0; rest &= rest - 1) {
-    const int id = std::countr_zero(rest);
+  // The pusher also gets a penalty when the pushed robot falls.
+  for (const int id : Members(playing)) {
     Watched& robot = of(id);
     const bool lies = contains(scene.fallen, id);
     const bool just_fell = lies && !robot.lay;
     robot.lay = lies;
-    if (!just_fell || robot.was_pushed < 0.0 || time_ - robot.was_pushed > contact_lasts) continue;
-    if (contains(playing, robot.pusher)) call(robot.pusher, Offence::pushing, id);
+    if (just_fell && recently(robot.was_pushed) && contains(playing, robot.pusher)) {
+      call(robot.pusher, Offence::pushing, id);
+    }
   }
 }
 
@@ -138,7 +131,7 @@ void OffenceWatch::watch_goal_areas(const Scene& scene, const GameState& state, 
       const int id = roster_.id(side, number);
       Watched& robot = of(id);
       const bool was = robot.in_goal_area;
-      robot.in_goal_area = contains(playing, id) && in_goal_area(rules_.field, end, at(scene, id));
+      robot.in_goal_area = contains(playing, id) && in_goal_area(rules_.field, end, place_of(scene, id));
       if (!robot.in_goal_area) {
         robot.pushed_in = -1.0;
       } else if (was && robot.pushed_in < 0.0) {
@@ -147,22 +140,47 @@ void OffenceWatch::watch_goal_areas(const Scene& scene, const GameState& state, 
         entered |= only(id);
       }
     }
-    for (RobotSet rest = entered; rest != 0; rest &= rest - 1) {
-      const int id = std::countr_zero(rest);
+    for (const int id : Members(entered)) {
       Watched& robot = of(id);
       if (inside < rules_.offences.most_in_own_goal_area) {
         ++inside;
         robot.pushed_in = -1.0;
         continue;
       }
-      const bool pushed = robot.was_pushed >= 0.0 && time_ - robot.was_pushed <= contact_lasts;
-      // Whom the push has felled has the time after getting up.
-      if (robot.pushed_in < 0.0 ? pushed : contains(scene.fallen, id)) robot.pushed_in = time_;
+      // The time to leave the area starts at the push. While the pushed robot lies, this time starts again.
+      if (robot.pushed_in < 0.0 ? recently(robot.was_pushed) : contains(scene.fallen, id)) robot.pushed_in = time_;
       const bool has_time =
           robot.pushed_in >= 0.0 && !longer(time_ - robot.pushed_in, rules_.offences.leave_after_pushed_in);
       if (!has_time) call(id, Offence::illegal_position);
     }
   }
 }
+
+bool counts(Offence offence) {
+  return offence == Offence::illegal_position || offence == Offence::ball_holding || offence == Offence::pushing ||
+         offence == Offence::leaving_the_field;
+}
+
+bool on_the_spot(Offence offence) { return offence == Offence::motion_in_set; }
+
+PenaltyBox::PenaltyBox(const config::Penalties& penalties, Roster roster)
+    : penalties_(penalties), roster_(roster), remaining_(at(roster.count())), why_(at(roster.count()), Offence::none) {}
+
+void PenaltyBox::send(int id, Offence offence) {
+  double lasts = penalties_.removal;
+  if (offence == Offence::illegal_position_in_set) lasts = penalties_.illegal_position_in_set;
+  if (offence == Offence::motion_in_set) lasts = penalties_.motion_in_set;
+  if (counts(offence)) lasts += penalties_.removal_growth * counted_[index(roster_.side(id))]++;
+  inside_ |= only(id);
+  remaining_[at(id)] = lasts;
+  why_[at(id)] = offence;
+}
+
+void PenaltyBox::pass(double seconds) {
+  for (const int id : Members(inside_)) remaining_[at(id)] -= seconds;
+}
+
+void PenaltyBox::release(int id) { inside_ &= ~only(id); }
+void PenaltyBox::empty() { inside_ = 0; }
 
 }  // namespace regista::match

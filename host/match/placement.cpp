@@ -2,14 +2,45 @@
 #include "match/placement.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <bit>
+#include <limits>
 #include <numbers>
 
 namespace regista::match {
 namespace {
 
 double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
+
+// Whether a robot other than `self` is nearer to `spot` than `gap`.
+bool taken(Vector spot, int self, std::span<const Vector> robots, double gap) {
+  for (std::size_t id = 0; id < robots.size(); ++id) {
+    if (static_cast<int>(id) != self && squared_length(spot - robots[id]) < gap * gap) return true;
+  }
+  return false;
+}
+
+template <class Condition>
+RobotSet those(RobotSet among, Condition condition) {
+  RobotSet out = 0;
+  for (const int id : Members(among)) {
+    if (condition(id)) out |= only(id);
+  }
+  return out;
+}
+
+// Returns the robot of the set with the smallest value; of equal values, the lowest id. -1: the set is empty.
+template <class Value>
+int least(RobotSet among, Value value) {
+  int best = -1;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const int id : Members(among)) {
+    if (value(id) < lowest) {
+      lowest = value(id);
+      best = id;
+    }
+  }
+  return best;
+}
 
 }  // namespace
 
@@ -25,17 +56,12 @@ mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vecto
                          std::span<const Vector> robots, double gap) {
   const double touch_line = -sign(ball.y) * field.width / 2.0;
   const double mark = -direction * (field.length / 2.0 - field.penalty_mark_distance);
-  const auto is_free = [&](double x) {
-    for (std::size_t id = 0; id < robots.size(); ++id) {
-      if (static_cast<int>(id) != self && squared_length(robots[id] - Vector{x, touch_line}) < gap * gap) return false;
-    }
-    return true;
-  };
+  const auto is_free = [&](double x) { return !taken({x, touch_line}, self, robots, gap); };
   const double away = mark >= ball.x ? 1.0 : -1.0;
   const auto in_own_half = [&](double x) { return x * direction <= 0.0 && std::fabs(x) <= field.length / 2.0; };
   double x = mark;
   for (int k = 1; k <= 100 && !(in_own_half(x) && is_free(x)); ++k) {
-    // Away, towards the ball, farther away, ...
+    // The tried places alternate: away from the ball, towards the ball, farther away from the ball, ...
     x = mark + (k % 2 == 1 ? away : -away) * gap * ((k + 1) / 2);
   }
   if (!in_own_half(x)) x = mark;
@@ -66,11 +92,7 @@ Vector free_spot(const config::FieldSize& field, Vector wanted, int self, std::s
   constexpr int rings = 20, places = 16;
   const double x = field.length / 2.0, y = field.width / 2.0;
   const auto is_free = [&](Vector spot) {
-    if (squared_length(spot - ball) < ball_gap * ball_gap) return false;
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      if (static_cast<int>(i) != self && squared_length(spot - robots[i]) < robot_gap * robot_gap) return false;
-    }
-    return true;
+    return squared_length(spot - ball) >= ball_gap * ball_gap && !taken(spot, self, robots, robot_gap);
   };
   if (is_free(wanted)) return wanted;
   for (int ring = 1; ring <= rings; ++ring) {
@@ -81,6 +103,60 @@ Vector free_spot(const config::FieldSize& field, Vector wanted, int self, std::s
     }
   }
   return wanted;
+}
+
+RobotSet intruders_at_kick_off(const config::Rules& rules, const GameState& state, Roster roster,
+                               std::span<const Vector> robots, RobotSet playing) {
+  const config::FieldSize& field = rules.field;
+  const auto at = [&](int id) { return robots[static_cast<std::size_t>(id)]; };
+  const auto in_own_half = [&](int id) { return at(id).x * attack(roster.side(id), state.half) <= 0.0; };
+  const RobotSet kicking = those(playing, [&](int id) { return roster.side(id) == state.kicking; });
+  const RobotSet beyond = those(playing, [&](int id) { return !in_own_half(id); });
+  const RobotSet may = those(beyond & kicking, [&](int id) { return in_centre_circle(field, at(id)); });
+  const int taker = least(may, [&](int id) { return squared_length(at(id) - state.spot); });
+  const RobotSet in_circle = those(playing & ~kicking, [&](int id) { return in_centre_circle(field, at(id)); });
+  return (taker >= 0 ? beyond & ~only(taker) : beyond) | in_circle;
+}
+
+RobotSet intruders_at_penalty_kick(const config::Rules& rules, const GameState& state, Roster roster,
+                                   std::span<const Vector> robots, RobotSet playing) {
+  const auto at = [&](int id) { return robots[static_cast<std::size_t>(id)]; };
+  const double end = attack(state.kicking, state.half);
+  RobotSet inside = those(playing, [&](int id) { return in_penalty_area(rules.field, end, at(id)); });
+  inside &= ~only(roster.id(opposite(state.kicking), 1));
+  const RobotSet attackers = those(inside, [&](int id) { return roster.side(id) == state.kicking; });
+  const int taker = least(attackers, [&](int id) { return squared_length(at(id) - state.spot); });
+  return taker >= 0 ? inside & ~only(taker) : inside;
+}
+
+RobotSet illegal_in_set(const config::Rules& rules, const GameState& state, Roster roster,
+                        std::span<const Vector> robots, RobotSet playing, double robot_radius) {
+  const config::FieldSize& field = rules.field;
+  const auto at = [&](int id) { return robots[static_cast<std::size_t>(id)]; };
+  const double on_ball = robot_radius + rules.ball.diameter / 2.0;
+  RobotSet out = those(playing, [&](int id) {
+    return on_border_strip(field, at(id), robot_radius) || squared_length(at(id) - state.spot) < on_ball * on_ball;
+  });
+  if (state.set_play == mind::SetPlay::penalty_kick) {
+    out |= intruders_at_penalty_kick(rules, state, roster, robots, playing);
+  } else {
+    out |= intruders_at_kick_off(rules, state, roster, robots, playing);
+  }
+  // If too many robots are in their own goal area, the superfluous robots nearest to the area's border are illegal.
+  for (const Side side : both_sides) {
+    const double end = -attack(side, state.half);
+    RobotSet inside =
+        those(playing & ~out, [&](int id) { return roster.side(id) == side && in_goal_area(field, end, at(id)); });
+    while (std::popcount(inside) > rules.offences.most_in_own_goal_area) {
+      const int first = least(inside, [&](int id) {
+        return std::min(end * at(id).x - (field.length / 2.0 - field.goal_area_length),
+                        field.goal_area_width / 2.0 - std::fabs(at(id).y));
+      });
+      inside &= ~only(first);
+      out |= only(first);
+    }
+  }
+  return out;
 }
 
 }  // namespace regista::match

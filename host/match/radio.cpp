@@ -8,15 +8,15 @@
 
 namespace regista::match {
 
-Radio::Radio(const config::Radio& profile, const Trouble& trouble, int team_size, std::uint64_t seed, Side side)
+Radio::Radio(const config::Radio& profile, const Disturbances& trouble, int team_size, std::uint64_t seed, Side side)
     : profile_(profile), trouble_(&trouble), team_size_(team_size), seed_(seed), side_(side) {
   const config::Disturbance::Radio& disturbance = trouble.disturbance().radio;
   profile_.delay += disturbance.delay;
   profile_.jitter += disturbance.jitter;
   profile_.loss = either(profile.loss, disturbance.loss);
-  // More than are ever in the air at once, so that none has to be made while the game goes on.
+  // The pool is larger than the usual number of packets in the air, so send() allocates no memory in the game.
   constexpr std::size_t longest = 512, per_robot = 8;
-  packets_.resize(per_robot * static_cast<std::size_t>(team_size));
+  packets_.resize(per_robot * at(team_size));
   for (std::size_t slot = packets_.size(); slot-- > 0;) {
     packets_[slot].bytes.reserve(longest);
     free_.push_back(slot);
@@ -46,7 +46,7 @@ void Radio::send(int sender, std::span<const std::uint8_t> bytes, double time, s
     Chance chance(seed_, Purpose::radio_delay, side_, number, sender, tick);
     const double delay = profile_.delay + std::max(here.delay, there.delay);
     const double jitter = profile_.jitter + std::max(here.jitter, there.jitter);
-    packet.heard[static_cast<std::size_t>(number - 1)] = time + delay + jitter * chance.uniform();
+    packet.heard[at(number - 1)] = time + delay + jitter * chance.uniform();
     packet.waiting |= 1u << (number - 1);
   }
   if (packet.waiting == 0) return;

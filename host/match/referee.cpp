@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/packet_share.hpp"
 #include "match/placement.hpp"
 
 namespace regista::match {
@@ -14,23 +13,49 @@ using mind::Phase;
 using mind::SetPlay;
 
 EventKind event_of(SetPlay kind) {
-  switch (kind) {
-    case SetPlay::kick_in:
-      return EventKind::kick_in;
-    case SetPlay::goal_kick:
-      return EventKind::goal_kick;
-    case SetPlay::corner_kick:
-      return EventKind::corner_kick;
-    case SetPlay::pushing_free_kick:
-      return EventKind::pushing_free_kick;
-    case SetPlay::penalty_kick:
-      return EventKind::penalty_kick;
-    default:
-      return EventKind::ready;
-  }
+  constexpr std::array events{EventKind::ready,       EventKind::ready,       EventKind::kick_in,
+                              EventKind::goal_kick,   EventKind::corner_kick, EventKind::pushing_free_kick,
+                              EventKind::penalty_kick};
+  return events[static_cast<std::size_t>(kind)];
 }
 
+constexpr double touch_is_over = 0.5;  // s; a touch after a longer time without contact is a second touch
+constexpr double dribbles = 0.3;       // s; a dribbling robot touches the ball for this time; a bounce is shorter
+
 }  // namespace
+
+void IndirectKick::touched(int id, Side side, bool kicked, Vector ball, double time) {
+  if (kind_ == Kind::none) return;
+  if (taker_ < 0 && side == side_) taker_ = id;
+  if (id != taker_) {
+    if (kind_ == Kind::penalty_kick) {
+      over();
+    } else {
+      played_by_another(id, kicked, time);
+    }
+    return;
+  }
+  if (kind_ == Kind::free_kick && played_on_ && kicked) over();
+  if (kind_ == Kind::penalty_kick && touched_ > 0.0 && time - touched_ > touch_is_over) played_on_ = true;
+  left_at_ = ball;
+  touched_ = time;
+}
+
+void IndirectKick::played_by_another(int id, bool kicked, double time) {
+  if (id != other_ || time - until_ > touch_is_over) since_ = time;
+  other_ = id;
+  until_ = time;
+  if (kicked || until_ - since_ >= dribbles) over();
+}
+
+void IndirectKick::ball_at(Vector ball) {
+  if (kind_ == Kind::free_kick && taker_ >= 0 && squared_length(ball - left_at_) > circle_ * circle_) played_on_ = true;
+}
+
+bool IndirectKick::may_score(Side side) const {
+  if (kind_ == Kind::none || side != side_) return true;
+  return kind_ == Kind::penalty_kick && !played_on_;
+}
 
 void Calls::clear() {
   removed.clear();
@@ -50,7 +75,7 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
       indirect_(rules.set_play_distance),
       watch_(rules, roster_),
       box_(rules.penalties, roster_) {
-  where_.resize(static_cast<std::size_t>(roster_.count()));
+  where_.resize(at(roster_.count()));
   leave_by_.resize(where_.size());
   calls_.removed.reserve(where_.size());
   calls_.placements.reserve(where_.size());
@@ -64,7 +89,7 @@ RobotSet Referee::playing() const {
   return everybody & ~box_.inside();
 }
 
-// Durations are met at the nearest instant, whatever the rounding of time.
+// Whether `duration` has passed since `moment`. A tolerance is needed, because sums of physics steps are not exact.
 bool Referee::since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
 
 void Referee::note(EventKind kind, Side side, int number, Offence offence) {
@@ -133,10 +158,9 @@ const Calls& Referee::update(const Scene& scene) {
 }
 
 void Referee::begin_half() {
-  state_.phase = Phase::initial;
+  enter(Phase::initial);
   state_.set_play = SetPlay::none;
   state_.kicking = state_.half % 2 == 1 ? Side::home : Side::away;
-  state_.phase_began = time_;
   state_.clock_runs = false;
   state_.clock = 0.0;
   state_.penalised.fill(0);
@@ -147,7 +171,7 @@ void Referee::begin_half() {
   calls_.ball = state_.spot;
   for (int id = 0; id < roster_.count(); ++id) {
     const mind::Pose pose = start_pose(rules_.field, direction(roster_.side(id)), roster_.number(id), rules_.team_size);
-    where_[static_cast<std::size_t>(id)] = {pose.x, pose.y};
+    where_[at(id)] = {pose.x, pose.y};
     watch_.forget(id);
     calls_.placements.push_back({id, pose});
   }
@@ -156,20 +180,18 @@ void Referee::begin_half() {
 }
 
 void Referee::begin_in_play(const config::Opening& opening) {
-  state_.phase = Phase::playing;
-  state_.phase_began = time_;
+  enter(Phase::playing);
   state_.clock_runs = true;
   clock_began_ = time_;
   touched_since_kick_off_ = true;
   state_.spot = {opening.ball.at[0], opening.ball.at[1]};
-  anchor_ = state_.spot;
-  anchored_ = time_;
+  anchor(state_.spot);
   calls_.ball = state_.spot;
   calls_.ball_velocity = Vector{opening.ball.velocity[0], opening.ball.velocity[1]};
   for (int id = 0; id < roster_.count(); ++id) {
     const auto& players = roster_.side(id) == Side::home ? opening.home : opening.away;
-    const config::Opening::Player& player = players[static_cast<std::size_t>(roster_.number(id) - 1)];
-    where_[static_cast<std::size_t>(id)] = {player.at[0], player.at[1]};
+    const config::Opening::Player& player = players[at(roster_.number(id) - 1)];
+    where_[at(id)] = {player.at[0], player.at[1]};
     calls_.placements.push_back({id, {player.at[0], player.at[1], config::heading(opening, player)}});
   }
   announce();
@@ -177,10 +199,9 @@ void Referee::begin_in_play(const config::Opening& opening) {
 }
 
 void Referee::begin_ready(SetPlay kind, Side kicking, Vector spot, bool told_late) {
-  state_.phase = Phase::ready;
+  enter(Phase::ready);
   state_.set_play = kind;
   state_.kicking = kicking;
-  state_.phase_began = time_;
   state_.spot = spot;
   indirect_.over();
   calls_.ball = state_.spot;
@@ -190,8 +211,7 @@ void Referee::begin_ready(SetPlay kind, Side kicking, Vector spot, bool told_lat
 }
 
 void Referee::begin_set() {
-  state_.phase = Phase::set;
-  state_.phase_began = time_;
+  enter(Phase::set);
   calls_.ball = state_.spot;
   remove_illegal_in_set();
   if (state_.set_play == SetPlay::penalty_kick) put_goalkeeper_on_line();
@@ -200,15 +220,13 @@ void Referee::begin_set() {
 }
 
 void Referee::whistle_play() {
-  state_.phase = Phase::playing;
-  state_.phase_began = time_;
+  enter(Phase::playing);
   calls_.ball = state_.spot;
   remove_illegal_in_set();
   std::ranges::fill(leave_by_, 0.0);
   last_touch_ = -1;
   touched_since_kick_off_ = false;
-  anchor_ = state_.spot;
-  anchored_ = time_;
+  anchor(state_.spot);
   if (!state_.clock_runs) {
     state_.clock_runs = true;
     clock_began_ = time_;
@@ -231,9 +249,8 @@ void Referee::end_half() {
 }
 
 void Referee::finish(Ended how) {
-  state_.phase = Phase::finished;
+  enter(Phase::finished);
   state_.set_play = SetPlay::none;
-  state_.phase_began = time_;
   state_.clock_runs = false;
   state_.ended = how;
   announce();
@@ -256,7 +273,7 @@ void Referee::touch(const Scene& scene) {
   touched_since_kick_off_ = true;
 }
 
-// The side that must keep away has touched it: it lies where it was.
+// A robot of the defending side has touched the ball of a set play too early: the ball is put back.
 void Referee::touched_too_early(int robot) {
   calls_.ball = state_.spot;
   ball_ = state_.spot;
@@ -268,7 +285,7 @@ void Referee::play(const Scene& scene) {
   if (ball_left()) return;
   indirect_.ball_at(ball_);
   watch_offences(scene);
-  if (state_.phase != Phase::playing) return;  // a penalty kick
+  if (state_.phase != Phase::playing) return;  // watch_offences() may have awarded a penalty kick
   if (state_.set_play == SetPlay::none) {
     watch_progress();
     return;
@@ -283,7 +300,7 @@ void Referee::play(const Scene& scene) {
   }
 }
 
-// The ball is out, or in a goal, when all of it has crossed the line.
+// If the whole ball has crossed a line, awards the goal or set play and returns true.
 bool Referee::ball_left() {
   const config::FieldSize& field = rules_.field;
   const double beyond = (field.line_width + rules_.ball.diameter) / 2.0;
@@ -291,7 +308,7 @@ bool Referee::ball_left() {
   const bool over_touch_line = std::fabs(ball_.y) > field.width / 2.0 + beyond;
   if (!over_goal_line && !over_touch_line) return false;
 
-  // Who defends the end over whose goal line the ball went, and who touched it last; nobody: the other side's ball.
+  // defender: the side of the nearer goal line. last: the side of the last touch; without a touch, the other side.
   const Side defender = (direction(Side::home) > 0.0) == (ball_.x > 0.0) ? Side::away : Side::home;
   const Side last = last_touch_ >= 0 ? roster_.side(last_touch_) : opposite(defender);
   const bool between_posts = std::fabs(ball_.y) < (field.goal_width + field.post_diameter) / 2.0;
@@ -311,7 +328,7 @@ bool Referee::ball_left() {
 bool Referee::goal_counts(Side scorer) const {
   const bool own_goal = last_touch_ >= 0 && roster_.side(last_touch_) != scorer;
   const std::uint32_t everybody = (1u << roster_.team_size) - 1u;
-  if (own_goal && state_.penalised[index(scorer)] == everybody) return false;  // nobody is there to profit
+  if (own_goal && state_.penalised[index(scorer)] == everybody) return false;  // every robot of `scorer` is penalised
   return indirect_.may_score(scorer);
 }
 
@@ -337,7 +354,7 @@ void Referee::set_play(SetPlay kind, Side kicking, Vector spot) {
   clear_spot(spot);
   for (int id = 0; id < roster_.count(); ++id) {
     const bool near = squared_length(where(id) - spot) < rules_.set_play_distance * rules_.set_play_distance;
-    leave_by_[static_cast<std::size_t>(id)] = near ? time_ + rules_.offences.leave_free_kick : 0.0;
+    leave_by_[at(id)] = near ? time_ + rules_.offences.leave_free_kick : 0.0;
   }
   announce();
   note(event_of(kind), kicking);
@@ -347,8 +364,7 @@ void Referee::free_ball() {
   const bool was_whistled = state_.set_play == SetPlay::kick_off || state_.set_play == SetPlay::penalty_kick;
   state_.set_play = SetPlay::none;
   state_.phase_began = time_;
-  anchor_ = ball_;
-  anchored_ = time_;
+  anchor(ball_);
   announce();
   calls_.ball_came_free = was_whistled;
   note(EventKind::ball_free, state_.kicking);

@@ -1,58 +1,89 @@
 // SPDX-License-Identifier: MIT
-// The rules of a whole game as a state machine with plain input and output: it sees positions and touches, and says
-// what is whistled and who or what is put where. RoboCup SPL rule book 2023, with every number from the rules profile.
+// Referee applies the rules of a whole game as a state machine. Its input is positions and touches (Scene); its output
+// is whistles, placements and penalties (Calls). RoboCup SPL rule book 2023. All numbers come from the rules profile.
 //
 //   Initial -> Ready -> Set -> (whistle) Playing -> goal: Ready, ball out: set play, half over: Initial or Finished
 //
-// Offences are seen by OffenceWatch, positions in Set judged by illegal_in_set, penalties timed by PenaltyBox.
+// OffenceWatch detects offences. illegal_in_set() checks positions in Set. PenaltyBox measures the time of penalties.
 //
-// Decided here where the rule book leaves room, or a person would judge:
-// - A game from an opening begins in play, in the first half, as if home had taken its kick-off long ago.
-// - Before each half robots stand in Initial for one second, so that every robot decides there at least once.
-// - Whoever stands on the very spot where the ball of a set play is put is moved aside by hand.
-// - A free kick is taken, and the kick-off's ball in play, with the first touch by the kicking side. A ball that the
-//   others touch before lies where it was, and who touched it is removed.
-// - A deliberate play, which makes an indirect kick whole, is a kick or a dribble (touches for 0.3 s); whom the ball
-// hits
-//   has not played it. In a penalty kick the taker's touches count as one until the ball was free of it for half a
-//   second.
-// - The game is stuck when the ball has not moved by a quarter of a metre for the time that the rules give. Somebody
-//   near it is removed (local); with nobody near, who is nearer kicks off (global), if the ball was touched before.
-// - The clock never stops within a half, so there is no added time, and no packets for it.
+// The rule book leaves some cases open or to a person's judgement. Referee decides these cases as follows:
+// - A game from an opening begins in play in the first half, as if home had taken the kick-off.
+// - Before each half robots stand in the phase Initial for one second, so that every robot decides once in Initial.
+// - If a robot is at the place where a set play puts the ball, a person moves the robot aside.
+// - The first touch by the kicking side takes the set play, and the ball is then in play. If the other side touches the
+//   ball first, the ball is put back and the robot that touched it is removed.
+// - After a free kick a goal counts only after a second play of the ball (see IndirectKick). To play the ball is to
+//   kick it or to dribble it (touches for 0.3 s). A ball that hits a robot is not played. Touches of a penalty taker
+//   count as one touch until the taker has not touched the ball for 0.5 s.
+// - The game is stuck when the ball has moved less than 0.25 m for Durations::game_stuck. If the nearest robot is near
+//   the ball, this robot is removed (local game stuck). Else, if a robot has touched the ball since the kick-off, the
+//   nearest robot's side gets a kick-off (global game stuck).
+// - The clock never stops within a half. The rule book's added time and additional packets are therefore not needed.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "config/opening.hpp"
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
-#include "match/indirect_kick.hpp"
 #include "match/offence_watch.hpp"
-#include "match/penalty_box.hpp"
-#include "match/scene.hpp"
+#include "match/plane.hpp"
+#include "match/side.hpp"
 
 namespace regista::match {
 
-struct Placement {
-  int robot;  // id
+// Tells whether a goal counts after a free kick or a penalty kick. RoboCup SPL rule book 2023, sections 3.3.2 and 3.9.
+// A goal after a free kick counts only after a second play: another robot kicks or dribbles the ball, or the taker
+// kicks it after the ball has left a circle around the place of the taker's last touch. After a penalty kick, a goal by
+// a second touch of the taker does not count, unless another robot has touched the ball.
+class IndirectKick {
+ public:
+  explicit IndirectKick(double circle) : circle_(circle) {}  // circle: radius of the circle, m
+
+  void free_kick(Side side) { *this = {circle_, Kind::free_kick, side}; }
+  void penalty_kick(Side side) { *this = {circle_, Kind::penalty_kick, side}; }
+  void over() { kind_ = Kind::none; }  // from now on every goal counts
+
+  // Robot `id` of `side` has touched the ball at the position `ball`. kicked: the touch was a kick.
+  void touched(int id, Side side, bool kicked, Vector ball, double time);
+  void ball_at(Vector ball);  // must be called with each new ball position
+
+  bool may_score(Side side) const;  // whether a goal of `side` would count now
+
+ private:
+  enum class Kind { none, free_kick, penalty_kick };
+  IndirectKick(double circle, Kind kind, Side side) : circle_(circle), kind_(kind), side_(side) {}
+  void played_by_another(int id, bool kicked, double time);
+
+  double circle_;
+  Kind kind_ = Kind::none;
+  Side side_ = Side::home;
+  int taker_ = -1;                    // id of the robot that took the kick; -1: nobody yet
+  Vector left_at_;                    // ball position at the taker's last touch
+  double touched_ = 0.0;              // time of the taker's last touch, s
+  bool played_on_ = false;            // free kick: the ball left the circle; penalty kick: the taker touched twice
+  int other_ = -1;                    // id of the last robot except the taker that touched the ball; -1: none
+  double since_ = 0.0, until_ = 0.0;  // times of the first and last touch by robot `other_`, s
+};
+
+struct Placement {  // a robot that a person puts down
+  int robot;        // id
   mind::Pose pose;
 };
 
-// What is to be done now, in this order. The memory is the referee's, until the next call.
+// What the match must do now, in the order of the members. The referee owns the memory, valid until the next update().
 struct Calls {
   std::vector<int> removed;             // ids of robots that leave the field
-  RobotSet frozen = 0;                  // robots that must not move from now on, where they are
-  std::vector<Placement> placements;    // robots to be put down by hand
-  std::optional<Vector> ball;           // the ball is put here, at rest
-  std::optional<Vector> ball_velocity;  // but rolls: the scene of an opening, m/s
-  bool whistle = false;
-  bool announced = false;       // phase, set play or score changed: the game controller tells
-  bool told_late = false;       // but over the network only after Durations::state_delay
-  bool ball_came_free = false;  // the announcement is news only to those who know of the kick-off
+  RobotSet frozen = 0;                  // penalised robots that stay in place and must not move
+  std::vector<Placement> placements;    // robots and their new poses
+  std::optional<Vector> ball;           // new position of the ball; the ball is at rest unless ball_velocity is set
+  std::optional<Vector> ball_velocity;  // initial ball velocity of an opening, m/s
+  bool whistle = false;                 // the referee whistles
+  bool announced = false;               // the game state has changed, and the game controller sends it
+  bool told_late = false;               // the game controller's message arrives after Durations::state_delay
+  bool ball_came_free = false;          // the message reaches only robots that know of the kick-off or penalty kick
   std::vector<Event> events;
 
   void clear();
@@ -60,15 +91,16 @@ struct Calls {
 
 class Referee {
  public:
-  // robot_radius: of the largest robot, m; nobody is put nearer to anything than bodies allow.
-  // opening: the scene that the game starts from, for the time of the referee; null: from the first kick-off.
+  // robot_radius: radius of the largest robot, m; determines the distance of placements. opening: scene at the start of
+  // the game, must outlive the referee; null: the game starts with the first kick-off.
   Referee(const config::Rules& rules, double robot_radius, const config::Opening* opening = nullptr);
 
   const GameState& state() const { return state_; }
-  const Calls& update(const Scene& scene);
+  const Calls& update(const Scene& scene);  // must be called after each physics step
 
-  // A packet is about to be sent. False: the phase has no radio, or it is longer than the rules allow; it is not sent.
-  // The events that follow come with the next update.
+  // The caller calls this before a robot of `side` sends a packet. Charges the packet in Ready, Set and Playing.
+  // Returns false if the packet must not be sent: in the other phases, or because the packet is too long. The next
+  // update() returns the events that the packet causes.
   bool packet(Side side, std::size_t bytes);
 
  private:
@@ -99,13 +131,21 @@ class Referee {
   void let_back_in();
   void sanction(Side side, EventKind why);
   void announce(bool late = false);
+  void enter(mind::Phase phase) {
+    state_.phase = phase;
+    state_.phase_began = time_;
+  }
+  void anchor(Vector ball) {
+    anchor_ = ball;
+    anchored_ = time_;
+  }
   void note(EventKind kind, Side side, int number = 0, Offence offence = Offence::none);
   bool plays(int id) const { return !contains(box_.inside(), id); }
   RobotSet playing() const;
   bool since(double moment, double duration) const;
   bool on_goal_line(int id) const;
   double direction(Side side) const { return attack(side, state_.half); }
-  Vector where(int id) const { return where_[static_cast<std::size_t>(id)]; }
+  Vector where(int id) const { return where_[at(id)]; }
 
   config::Rules rules_;
   const config::Opening* opening_;
@@ -113,8 +153,8 @@ class Referee {
   double robot_radius_;
   GameState state_;
   Calls calls_;
-  std::vector<Event> pending_;  // of packets, told with the next update
-  std::vector<Vector> where_;   // robots by id, as they will be after the calls so far
+  std::vector<Event> pending_;  // events caused by packets since the last update()
+  std::vector<Vector> where_;   // robot positions by id, after the placements of this update()
   IndirectKick indirect_;
   OffenceWatch watch_;
   PenaltyBox box_;
@@ -122,10 +162,11 @@ class Referee {
   double time_ = 0.0, clock_began_ = 0.0;
   int last_touch_ = -1;  // id
   bool touched_since_kick_off_ = false;
-  Vector anchor_;  // the ball has not moved away from here
-  double anchored_ = 0.0;
-  std::vector<double> leave_by_;  // by id: until when who stands too near in a free kick may do so; 0: it may not
-  bool began_ = false;
+  Vector anchor_;          // the ball has stayed within 0.25 m of this place
+  double anchored_ = 0.0;  // match time at which the ball came to anchor_, s
+  // By id: match time (s) until which a robot may still be too near to a free kick; 0: the robot must not come near.
+  std::vector<double> leave_by_;
+  bool began_ = false;  // update() has been called once
 };
 
 }  // namespace regista::match

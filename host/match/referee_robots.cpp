@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The referee's eye on robots: set plays are kept free, offences punished, who stands wrong removed, who has served let
-// back in. The course of the game is in referee.cpp.
+// The functions of Referee that watch robots. They keep the ball of a set play free, penalise offences, remove robots
+// at illegal positions and let robots return. referee.cpp has the functions for phases, set plays and goals.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "match/areas.hpp"
 #include "match/placement.hpp"
 #include "match/referee.hpp"
-#include "match/set_positions.hpp"
 
 namespace regista::match {
 namespace {
@@ -16,12 +14,12 @@ namespace {
 using mind::Phase;
 using mind::SetPlay;
 
-constexpr double clearance = 0.05;  // m between bodies when something is put down
-constexpr double moved = 0.25;      // m: the game is not stuck
+constexpr double clearance = 0.05;  // m; gap between bodies when a person puts down a robot
+constexpr double moved = 0.25;      // m; the game is not stuck when the ball moves farther
 
 }  // namespace
 
-// It touches the line that it defends.
+// Whether the robot touches the goal line that it defends.
 bool Referee::on_goal_line(int id) const {
   const double line = -direction(roster_.side(id)) * rules_.field.length / 2.0;
   return std::fabs(where(id).x - line) <= robot_radius_ + rules_.field.line_width / 2.0;
@@ -29,28 +27,25 @@ bool Referee::on_goal_line(int id) const {
 
 void Referee::watch_set_play() {
   if (state_.set_play == SetPlay::penalty_kick) {
-    const RobotSet intruders = intruders_at_penalty_kick(rules_, state_, roster_, where_, playing());
+    RobotSet intruders = intruders_at_penalty_kick(rules_, state_, roster_, where_, playing());
     const Side defender = opposite(state_.kicking);
     const int goalkeeper = roster_.id(defender, 1);
     const bool leaves_line = plays(goalkeeper) && !on_goal_line(goalkeeper) &&
                              in_penalty_area(rules_.field, -direction(defender), where(goalkeeper));
-    for (int id = 0; id < roster_.count(); ++id) {
-      if (contains(intruders, id) || (id == goalkeeper && leaves_line)) penalise(id, Offence::illegal_position);
-    }
+    if (leaves_line) intruders |= only(goalkeeper);
+    for (const int id : Members(intruders)) penalise(id, Offence::illegal_position);
     return;
   }
   if (state_.set_play == SetPlay::kick_off) {
     const RobotSet intruders = intruders_at_kick_off(rules_, state_, roster_, where_, playing());
-    for (int id = 0; id < roster_.count(); ++id) {
-      if (contains(intruders, id)) penalise(id, Offence::illegal_position);
-    }
+    for (const int id : Members(intruders)) penalise(id, Offence::illegal_position);
     return;
   }
   const double near = rules_.set_play_distance;
   const Side defender = opposite(state_.kicking);
   for (int number = 1; number <= rules_.team_size; ++number) {
     const int id = roster_.id(defender, number);
-    double& leave_by = leave_by_[static_cast<std::size_t>(id)];
+    double& leave_by = leave_by_[at(id)];
     if (squared_length(where(id) - state_.spot) >= near * near) {
       leave_by = 0.0;
     } else if (plays(id) && since(leave_by, 0.0)) {
@@ -70,7 +65,7 @@ void Referee::watch_offences(const Scene& scene) {
   }
 }
 
-// Near the ball it costs more than a robot. During a set play nothing but the robot is taken.
+// Penalises the pusher. If the push was near the ball in open play, the other side gets a penalty kick or a free kick.
 void Referee::pushed(const Offender& offender) {
   const Side side = roster_.side(offender.robot);
   const double near = rules_.offences.pushing_near_ball;
@@ -87,10 +82,7 @@ void Referee::pushed(const Offender& offender) {
 }
 
 void Referee::watch_progress() {
-  if (squared_length(ball_ - anchor_) > moved * moved) {
-    anchor_ = ball_;
-    anchored_ = time_;
-  }
+  if (squared_length(ball_ - anchor_) > moved * moved) anchor(ball_);
   if (!since(anchored_, rules_.durations.game_stuck)) return;
   int nearest = -1;
   for (int id = 0; id < roster_.count(); ++id) {
@@ -108,16 +100,16 @@ void Referee::watch_progress() {
   }
 }
 
-// Nobody stands where the ball is put: the kicking side steps back a little, the other side to where it must be.
+// Moves robots that touch the place of the ball: the kicking side just off the ball, others to set_play_distance.
 void Referee::clear_spot(Vector spot) {
   const double touching = robot_radius_ + rules_.ball.diameter / 2.0 + clearance / 2.0;
   for (int id = 0; id < roster_.count(); ++id) {
-    if (!plays(id) && !on_the_spot(box_.offence(id))) continue;  // off the field
+    if (!plays(id) && !on_the_spot(box_.offence(id))) continue;  // the robot is not on the field
     const Side side = roster_.side(id);
-    const Vector from_ball = where_[static_cast<std::size_t>(id)] - spot;
+    const Vector from_ball = where_[at(id)] - spot;
     if (squared_length(from_ball) >= touching * touching) continue;
     const double back = side == state_.kicking ? touching + clearance : rules_.set_play_distance + clearance;
-    // Towards the inside of the field and the own goal, where there is always room.
+    // The robot moves towards the middle of its own half, where there is always room.
     const Vector inside = Vector{-direction(side) * rules_.field.length / 4.0, 0.0} - spot;
     const Vector target = spot + back / std::max(length(inside), clearance) * inside;
     put_down(id, {target.x, target.y, std::atan2(-inside.y, -inside.x)});
@@ -126,12 +118,10 @@ void Referee::clear_spot(Vector spot) {
 
 void Referee::remove_illegal_in_set() {
   const RobotSet illegal = illegal_in_set(rules_, state_, roster_, where_, playing(), robot_radius_);
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (contains(illegal, id)) penalise(id, Offence::illegal_position_in_set);
-  }
+  for (const int id : Members(illegal)) penalise(id, Offence::illegal_position_in_set);
 }
 
-// Before a penalty kick the goalkeeper stands on its line or outside its penalty area.
+// Puts the goalkeeper on its line before a penalty kick, unless it is on the line or outside its penalty area.
 void Referee::put_goalkeeper_on_line() {
   const Side side = opposite(state_.kicking);
   const int id = roster_.id(side, 1);
@@ -147,7 +137,7 @@ void Referee::put_down(int id, const mind::Pose& wanted) {
   const double ball_gap = robot_radius_ + rules_.ball.diameter / 2.0 + clearance;
   const Vector ball = calls_.ball ? *calls_.ball : state_.phase == Phase::playing ? ball_ : state_.spot;
   const Vector spot = free_spot(rules_.field, {wanted.x, wanted.y}, id, where_, robot_gap, ball, ball_gap);
-  where_[static_cast<std::size_t>(id)] = spot;
+  where_[at(id)] = spot;
   watch_.forget(id);
   calls_.placements.push_back({id, {spot.x, spot.y, wanted.heading}});
 }
@@ -172,9 +162,9 @@ void Referee::let_back_in() {
     box_.release(id);
     state_.penalised[index(side)] &= ~(1u << (roster_.number(id) - 1));
     if (on_the_spot(box_.offence(id))) {
-      leave_by_[static_cast<std::size_t>(id)] = time_ + rules_.offences.leave_free_kick;
+      leave_by_[at(id)] = time_ + rules_.offences.leave_free_kick;
     } else {
-      // Where the line is full, as near to it as there is room.
+      // If another robot is at the place, put_down() uses the nearest free place.
       put_down(id, re_entry_pose(rules_.field, direction(side), ball_, id, where_, 2.0 * robot_radius_ + clearance));
     }
     note(EventKind::returned, side, roster_.number(id));

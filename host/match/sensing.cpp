@@ -4,18 +4,16 @@
 #include <regista/abi.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
-#include "match/noise.hpp"
-#include "mind/landmarks.hpp"
+#include "mind/team_plan.hpp"
 
 namespace regista::match {
 namespace {
 
 float squared(double value) { return static_cast<float>(value * value); }
 
-// Keeps `list` sorted by distance while it grows; lists are short.
+// Inserts an item into `list`, which is sorted by distance. Lists are short, so a linear search is fast enough.
 template <class List, class Item>
 void insert_by_distance(List& list, const Item& item) {
   list.push_back(item);
@@ -28,7 +26,7 @@ void insert_by_distance(List& list, const Item& item) {
   list[place] = item;
 }
 
-// `v` turned by `angle`: a true rotation by 2 atan(t), where t is tan(angle / 2) but for terms of the fifth order.
+// Returns `v` rotated by a small angle: by 2 atan(t), where t equals tan(angle / 2) up to an error of fifth order.
 Vector turned_little(Vector v, double angle) {
   const double t = angle / 2.0 * (1.0 + angle * angle / 12.0), scale = 1.0 / (1.0 + t * t);
   return turned(v, (1.0 - t * t) * scale, 2.0 * t * scale);
@@ -48,7 +46,7 @@ Marks::Marks(const config::FieldSize& field, const config::Camera& camera) : kin
   }
 }
 
-Sensing::Sensing(const config::Robot& profile, const Trouble& trouble, const Marks& marks, Roster roster, int id,
+Sensing::Sensing(const config::Robot& profile, const Disturbances& trouble, const Marks& marks, Roster roster, int id,
                  std::uint64_t seed, double robot_radius)
     : profile_(profile),
       trouble_(trouble),
@@ -61,7 +59,7 @@ Sensing::Sensing(const config::Robot& profile, const Trouble& trouble, const Mar
       squared_ball_range_(squared(profile.camera.ball_range)),
       sector_{0.0f, 0.0f, 1.0f, 0.0f, static_cast<float>(std::cos(profile.camera.half_angle))} {
   squared_robot_range_.fill(squared(profile.camera.robot_range));
-  squared_robot_range_[static_cast<std::size_t>(id)] = -1.0f;  // never itself
+  squared_robot_range_[at(id)] = -1.0f;  // the robot never sees itself
   Chance chance(seed_, Purpose::odometry_scale, side_, number_, 0, 0);
   scale_ = 1.0 + profile.odometry.scale_bias * chance.normal();
 }
@@ -73,7 +71,7 @@ void Sensing::put_down(const mind::Pose& world, double direction, std::uint32_t 
   lifted_ = true;
 }
 
-// What it is told to be its pose, by people or by a localisation that has gone astray.
+// Sets the pose that the next percepts contain, because a person has put the robot down or a disturbance has changed.
 void Sensing::tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t tick) {
   const config::Odometry& odometry = profile_.odometry;
   Chance chance(seed_, purpose, side_, number_, 0, tick);
@@ -86,7 +84,7 @@ void Sensing::tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t 
   placed_ = mind::PlacedPose{pose, odometry.placing_noise, odometry.placing_turn_noise};
 }
 
-// Begins and ends what its trouble makes it believe of its pose.
+// Updates the effects of pose bias and mirror flips on the robot.
 void Sensing::be_misled(const BodyState& own, std::uint32_t tick) {
   const Affliction& now = trouble_.of(number_);
   const bool bias_changes = now.bias.x != bias_.x || now.bias.y != bias_.y || now.bias.heading != bias_.heading;
@@ -99,8 +97,7 @@ void Sensing::be_misled(const BodyState& own, std::uint32_t tick) {
   tell_pose({own.x, own.y, own.heading}, Purpose::misplacing, tick);
 }
 
-// The landmarks where they would have to be for the robot to see what it sees: from its biased pose it would see the
-// true ones just so.
+// Returns moved landmarks: the robot sees them as it would see the true landmarks from its biased pose.
 const Points& Sensing::landmarks(const BodyState& own) {
   if (!biased_) return marks_.points;
   const Vector here{own.x, own.y}, believed = here + direction_ * Vector{bias_.x, bias_.y};
@@ -138,7 +135,8 @@ void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool ab
   imagine_ball(tick, out);
 }
 
-// Motion since the last decision in the frame of then. Standing costs no chance, and no error.
+// Sets the odometry: the motion since the last decision, in the robot frame of that decision. For a robot at rest, the
+// function adds no error and draws no random number.
 void Sensing::measure_motion(const BodyState& own, std::uint32_t tick, mind::Percepts& out) {
   out.odometry = {};
   const Vector position{own.x, own.y};
@@ -186,13 +184,13 @@ void Sensing::see_ball(Purpose purpose, std::size_t object, Vector ball) {
   }
 }
 
-// What the camera might see: in its sector, in range, and not behind a robot.
+// Collects the objects that the camera may see: in its sector, in range, and not behind a robot.
 void Sensing::find_candidates(const Truth& truth) {
   const config::Camera& camera = profile_.camera;
   candidates_.count = 0;
   see_ball(Purpose::ball, 0, truth.ball);
-  for (std::uint64_t set = inside(robots_, sector_, squared_robot_range_); set != 0; set &= set - 1) {
-    const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
+  for (const int robot : Members(inside(robots_, sector_, squared_robot_range_))) {
+    const auto i = at(robot);
     if (hidden(robots_.x[i], robots_.y[i], robots_, squared_radius_)) continue;
     candidates_.add(Purpose::robot, i, robots_.x[i], robots_.y[i], camera.robot_probability);
   }
@@ -201,8 +199,8 @@ void Sensing::find_candidates(const Truth& truth) {
     see_ball(Purpose::ghost_ball, i, direction_ * trouble.ghosts[i]);
   Offsets marks;
   offsets(landmarks(truth.own), sector_, marks);
-  for (std::uint64_t set = inside(marks, sector_, marks_.squared_range); set != 0; set &= set - 1) {
-    const std::size_t i = static_cast<std::size_t>(std::countr_zero(set));
+  for (const int mark : Members(inside(marks, sector_, marks_.squared_range))) {
+    const auto i = at(mark);
     if (hidden(marks.x[i], marks.y[i], robots_, squared_radius_)) continue;
     candidates_.add(Purpose::landmark, i, marks.x[i], marks.y[i], marks_.probability[i]);
   }
@@ -248,7 +246,7 @@ bool Sensing::blinded(std::uint32_t tick) const {
   return chance.bernoulli(probability);
 }
 
-// A false ball, anywhere in the sector with equal density.
+// With the profile's probability, adds a false ball at a random place with uniform density over the camera's sector.
 void Sensing::imagine_ball(std::uint32_t tick, mind::Percepts& out) const {
   const config::Camera& camera = profile_.camera;
   const double probability =

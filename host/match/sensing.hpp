@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: MIT
-// What one robot's body measures and its camera sees, made from the truth at the instant of a decision: a sector with
-// ranges, occlusion by robots in between, misses, noise, false balls, odometry that drifts; and what its troubles make
-// of that (see trouble.hpp):
-// - Pose bias: landmarks are seen from the biased pose, and the robot is told that it stands there as if it had been
-// put
-//   down by hand, so that its localisation settles there at once. Told again when the bias ends.
-// - Mirror flip: told once that it stands at the pose turned by half a turn around the centre. Landmarks stay as they
-//   are, for the field looks the same from there. Who is put down by hand knows better; else it is told at the end.
-// - Ghost balls are seen, missed and hidden like the ball. A blind camera gives images in which nothing is recognised.
+// Sensing simulates what one robot measures and sees at a decision, from the truth at that moment. The camera sees a
+// sector up to a range for each kind of object; robots hide objects; the camera misses objects, adds noise and sees
+// false balls. The odometry drifts. Disturbances (see disturbances.hpp) act as follows:
+// - Pose bias: the robot sees landmarks as from the biased pose. Percepts::placed first gives the biased pose, so the
+//   robot's localisation adopts this pose in one step. At the end of the bias Percepts::placed gives the true pose.
+// - Mirror flip: Percepts::placed once gives the true pose rotated by half a turn about the field's centre. Landmarks
+//   look the same from the two poses. The robot gets its true pose at the end of the flip, or when it is put down.
+// - Ghost ball: the camera sees or misses a ghost ball like a real ball. Blind camera: the camera recognises nothing.
 //
-// Sightings are sorted by measured distance, so that their order tells nothing about who or which they are.
-// Objects are numbered for the streams of chance: robots by id, landmarks by their place in the list, the ball 0.
+// Sightings are sorted by measured distance, so that their order does not identify robots or landmarks. In the names of
+// random streams, `object` is a robot's id, the index of a landmark or ghost ball, or 0 for the ball.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "match/arena.hpp"
-#include "match/noise.hpp"
-#include "match/sector.hpp"
+#include "match/chance.hpp"
+#include "match/disturbances.hpp"
+#include "match/physics_world.hpp"
+#include "match/plane.hpp"
 #include "match/side.hpp"
-#include "match/trouble.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
 
-// The landmarks of a field with the squared range and the probability with which one camera recognises each.
+// The landmarks of a field, with the squared range and the probability at which one camera recognises each landmark.
 struct Marks {
   Marks(const config::FieldSize& field, const config::Camera& camera);
   Points points;
@@ -41,27 +38,27 @@ struct Marks {
 
 class Sensing {
  public:
-  // Profile, trouble of its side and marks are the caller's and must live as long. robot_radius: that hides what is
-  // behind.
-  Sensing(const config::Robot& profile, const Trouble& trouble, const Marks& marks, Roster roster, int id,
+  // The caller owns `profile`, `trouble` (disturbances of the robot's side) and `marks`, which must outlive this
+  // object. robot_radius: radius of the robots that hide objects, m.
+  Sensing(const config::Robot& profile, const Disturbances& trouble, const Marks& marks, Roster roster, int id,
           std::uint64_t seed, double robot_radius);
 
-  // The robot has been put down at `world`; `direction`: the way its side attacks. Told with the next percepts.
+  // A person has put the robot down at `world`, which the next percepts contain. direction: attack direction, +1 or -1.
   void put_down(const mind::Pose& world, double direction, std::uint32_t tick);
 
-  // The head begins to turn to this yaw, rad.
-  void look(double yaw);
+  void look(double yaw);  // The head begins to turn to `yaw` (rad, relative to the body).
 
   struct Truth {
     BodyState own;
     Vector ball;
-    const Points& robots;  // by id; those out of play are nowhere
+    const Points& robots;  // by id; robots out of play have the coordinate `nowhere`
   };
-  // Fills odometry, placed, camera, view, balls, robots and landmarks of `out`. able: it can see (stands, in play).
+  // Fills odometry, placed, camera, view, balls, robots, landmarks of `out`. able: the robot stands and is in play.
   void sense(const Truth& truth, double time, std::uint32_t tick, bool able, mind::Percepts& out);
 
  private:
-  // Offsets in the world frame. One ball, the other robots and the marks always fit.
+  // Objects that the camera may see. x, y: offset from the robot, world frame. probability: of seeing the object. There
+  // is room for the ball, all ghost balls, the other robots and the landmarks.
   struct Candidates {
     std::array<Draw, most_draws> draws;
     std::array<float, most_draws> x, y;
@@ -78,10 +75,10 @@ class Sensing {
   void see_ball(Purpose purpose, std::size_t object, Vector ball);
   void see(const Truth& truth, std::uint32_t tick, mind::Percepts& out);
   bool blinded(std::uint32_t tick) const;
-  void imagine_ball(std::uint32_t tick, mind::Percepts& out) const;
+  void imagine_ball(std::uint32_t tick, mind::Percepts& out) const;  // adds a false ball
 
   const config::Robot& profile_;
-  const Trouble& trouble_;
+  const Disturbances& trouble_;
   const Marks& marks_;
   Roster roster_;
   std::uint64_t seed_;
@@ -89,23 +86,23 @@ class Sensing {
   int number_;
   float squared_radius_, squared_ball_range_;
   std::array<float, most_points> squared_robot_range_;
-  double scale_ = 1.0;  // of this robot's odometry in this match
+  double scale_ = 1.0;  // distance factor of this robot's odometry in this match
 
   Vector last_position_;
   double last_heading_ = 0.0, last_cosine_ = 1.0, last_sine_ = 0.0;
   std::optional<mind::PlacedPose> placed_;
-  bool lifted_ = true;      // put down since the last decision: no odometry
-  double direction_ = 1.0;  // the way its side attacks
-  // As they were at the last decision:
+  bool lifted_ = true;      // a person has put the robot down since the last decision; the next odometry is zero
+  double direction_ = 1.0;  // +1 or -1, attack direction of the robot's side
+  // State at the last decision:
   mind::Pose bias_;
   int flips_ = 0;
-  bool mirrored_ = false;  // by a flip, since when nobody has put it down
-  bool biased_ = false;
-  Points misplaced_marks_;
+  bool mirrored_ = false;   // a mirror flip is in force
+  bool biased_ = false;     // a pose bias is in force
+  Points misplaced_marks_;  // landmarks as seen with the pose bias
 
-  double head_ = 0.0, wanted_head_ = 0.0, head_time_ = 0.0;
+  double head_ = 0.0, wanted_head_ = 0.0, head_time_ = 0.0;  // yaw, wanted yaw (rad); time of the last update, s
   double head_cosine_ = 1.0, head_sine_ = 0.0;
-  // Of the present instant:
+  // State at the present decision:
   Sector sector_;
   Offsets robots_;
   Candidates candidates_;

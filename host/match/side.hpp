@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The two sides of a match. A side is a colour slot, not a team: luck and kick-off belong to it, whoever plays there.
+// The two sides of a match. A side is a colour slot, not a team. Random numbers and kick-off belong to the side.
 //
-// The world frame has its origin at the centre and x along the field. In odd halves home attacks towards +x, in even
-// halves towards -x; the field is symmetric, so a change of sides is a change of frames and nothing else.
+// The world frame has its origin at the centre and x along the field. Home attacks towards +x in odd halves and towards
+// -x in even halves. The field is symmetric, so a change of sides changes only the frames.
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
-#include "match/geometry.hpp"
+#include "match/plane.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
@@ -19,19 +21,23 @@ enum class Side { home = 0, away = 1 };
 constexpr std::array<Side, 2> both_sides{Side::home, Side::away};
 constexpr Side opposite(Side side) { return side == Side::home ? Side::away : Side::home; }
 constexpr std::size_t index(Side side) { return static_cast<std::size_t>(side); }
+
+// Converts the number of a robot, role or body to std::size_t. The value stays the same.
+constexpr std::size_t at(int number) { return static_cast<std::size_t>(number); }
+
 constexpr const char* name(Side side) { return side == Side::home ? "home" : "away"; }
 
-// +1 when the side attacks the goal at +x of the world frame in this half (counted from 1), else -1.
+// Returns +1 if the side attacks the goal at +x of the world frame in this half, else -1. half: from 1.
 constexpr double attack(Side side, int half) { return (side == Side::home) == (half % 2 == 1) ? 1.0 : -1.0; }
 
-// A pose of the world frame in the field frame of a side that attacks towards `direction`, and back: a half turn, or
-// nothing.
+// Converts a world pose to the field frame of a side that attacks towards `direction` (+1 or -1). The same function
+// converts a field pose to the world frame.
 inline mind::Pose in_field_frame(const mind::Pose& world, double direction) {
   if (direction > 0.0) return {world.x, world.y, wrapped(world.heading)};
   return {-world.x, -world.y, wrapped(world.heading + std::numbers::pi)};
 }
 
-// Robots are counted through both sides: home 1..n are 0..n-1, away 1..n are n..2n-1.
+// Converts between robot ids and (side, shirt number). Home 1..n have the ids 0..n-1; away 1..n have n..2n-1.
 struct Roster {
   int team_size = 0;
   constexpr int count() const { return 2 * team_size; }
@@ -42,10 +48,23 @@ struct Roster {
 
 constexpr int largest_team = 22;
 
-// A set of robots of both sides: bit id.
-using RobotSet = std::uint64_t;
+using RobotSet = std::uint64_t;  // A set of robots of both sides: bit `id` stands for robot `id`.
 static_assert(2 * largest_team <= 64);
 constexpr RobotSet only(int id) { return RobotSet{1} << id; }
 constexpr bool contains(RobotSet set, int id) { return (set & only(id)) != 0; }
+
+// Iterates over the ids of a set in ascending order: for (const int id : Members(set)).
+class Members {
+ public:
+  explicit constexpr Members(RobotSet set) : rest_(set) {}
+  constexpr Members begin() const { return *this; }
+  constexpr std::default_sentinel_t end() const { return {}; }
+  constexpr int operator*() const { return std::countr_zero(rest_); }
+  constexpr void operator++() { rest_ &= rest_ - 1; }
+  constexpr bool operator==(std::default_sentinel_t) const { return rest_ == 0; }
+
+ private:
+  RobotSet rest_;
+};
 
 }  // namespace regista::match

@@ -1,35 +1,39 @@
 // SPDX-License-Identifier: MIT
-// A match between two teams of minds: from two plans to fourteen minds, each alone, and the match they play.
+// Creates minds from team plans and plays a match between two teams.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "match/match.hpp"
+#include "match/metrics_world.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
 
 namespace regista::match {
 
-// One mind of a side, and all of them by their numbers. Their luck belongs to (seed, side), so that it stays when teams
-// swap sides. Throws plugin::Failure when a plugin cannot be created. noting: see plugin/call_note.hpp; its side is set
-// here.
-mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::Noting noting = {},
-                const mind::Telling& telling = {});
-std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::Noting noting = {},
-                              const mind::Telling& telling = {});
+// mind() creates one mind of a side; minds() creates all minds of a side, by robot number. Random numbers depend on
+// (seed, side), so they stay with the side when two teams swap sides. Throw plugin::Failure if a plugin cannot be
+// created. The functions set tracing.side to `side`.
+mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::CallTracing tracing = {},
+                const mind::MindOptions& options = {});
+std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed,
+                              plugin::CallTracing tracing = {}, const mind::MindOptions& options = {});
 
-// The team's table of roles, for the metrics.
+// Returns the team's table of roles in the form that the metrics need.
 std::vector<Role> roles(const mind::TeamPlan& plan);
 
-// Called after each decision of a mind, when it is known what became of its packet; it cannot change it.
+// Receives each decision with its mind, after the referee has charged the packet. The function cannot change the match.
 using AfterDecision = std::function<void(const mind::Mind&, const Decision&)>;
 
-// Plays `setup` (its `roles` are taken from the plans). Throws as play() and Mind do.
+// Plays a match of two teams. The plans give roles, reasons and plugin metrics. Throws what play() and Mind throw.
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,
-            const AfterDecision& after = {}, plugin::Noting noting = {});
+            const AfterDecision& after = {}, plugin::CallTracing tracing = {});
+
+// Reads, for the metrics, what a mind believes in its world `mine`. The ball is known if `mine` has a ball that the
+// robot's own camera has not refuted. A teammate is known if it is active in `mine`.
+void belief_of(const mind::Mind& mind, Belief& out);
 
 }  // namespace regista::match

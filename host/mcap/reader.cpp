@@ -1,29 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "mcap/reader.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <utility>
+#include <fmt/format.h>
 
-#include "mcap/checksum.hpp"
-#include "mcap/error.hpp"
+#include <algorithm>
+#include <utility>
 
 namespace regista::mcap {
 namespace {
 
+constexpr std::uint64_t always = std::numeric_limits<std::uint64_t>::max();
+
 std::string in_ascii(std::string_view bytes) {
   std::string text;
   for (const char c : bytes) {
-    std::array<char, 5> escape{};
-    std::snprintf(escape.data(), escape.size(), c >= 0x20 && c < 0x7f ? "%c" : "\\x%02x",
-                  static_cast<unsigned char>(c));
-    text += escape.data();
+    text += c >= 0x20 && c < 0x7f ? std::string(1, c) : fmt::format("\\x{:02x}", static_cast<unsigned char>(c));
   }
   return text;
 }
 
-// Throws Error unless the file begins as an MCAP file of version 0.
+// Throws Error unless the file begins like an MCAP file of version 0.
 void check_magic(const InputFile& file) {
   if (file.size() == 0) throw Error(file.path(), "is empty");
   std::string begin;
@@ -35,8 +31,8 @@ void check_magic(const InputFile& file) {
   std::string with_our_version = begin;
   if (begin.size() > version_in_magic) with_our_version[version_in_magic] = magic[version_in_magic];
   if (magic.starts_with(with_our_version)) {
-    throw Error(file.path(), "is an MCAP file of version " + in_ascii(begin.substr(version_in_magic, 1)) +
-                                 "; this program reads version 0");
+    throw Error(file.path(), fmt::format("is an MCAP file of version {}; this program reads version 0",
+                                         in_ascii(begin.substr(version_in_magic, 1))));
   }
   throw Error(file.path(), "is not an MCAP file; it begins with \"" + in_ascii(begin) + "\"");
 }
@@ -51,12 +47,10 @@ Reader::Reader(const std::filesystem::path& file, std::size_t most_bytes)
       walk_(file_, magic.size()) {
   check_magic(file_);
   const auto place = walk_.next();
-  if (!place) {
-    throw Error(file_.path(), "is cut off at byte " + std::to_string(file_.size()) + ", within its header");
-  }
+  if (!place) throw Error(file_.path(), "is cut off at byte " + std::to_string(file_.size()) + ", within its header");
   if (place->opcode != Opcode::header) damaged(place->offset, "here the header has to stand");
   try {
-    decode_header(content(place->offset, place->length(), stored_));  // throws where it is damaged
+    decode<Header>(content(place->offset, place->length(), stored_));  // throws for a damaged header
   } catch (const Malformed& malformed) {
     damaged(place->offset, malformed.why);
   }
@@ -88,18 +82,57 @@ void Reader::select(Selection selection) {
   selection_ = std::move(selection);
   wanted_.clear();
   for (const auto& [id, channel] : channels()) note_wanted(channel);
+  chunks_.clear();
+  // If the summary names no channels, only earlier chunks of the file define the channels of a chunk.
+  const bool by_time = selection_.by_time && !channels().empty();
+  if (summary_) {
+    for (const ChunkIndex& chunk : summary_->chunks) chunks_.emplace_back(by_time ? chunk.first_time : 0, &chunk);
+  }
+  std::ranges::stable_sort(chunks_, {}, [](const auto& chunk) { return chunk.first; });
   next_chunk_ = 0;
   walk_ = RecordWalk(file_, header_end_);
   walk_is_over_ = in_summary_ = false;
   rest_ = Decoder({});
   cut_off_.reset();
+  held_.clear();
+  due_ = {};
+  held_bytes_ = 0;
 }
 
 bool Reader::next(Message& message) {
+  return selection_.by_time ? next_by_time(message) : next_in_file(message, always);
+}
+
+bool Reader::next_by_time(Message& message) {
+  // Reads until no unread chunk can contain an earlier message. Without a summary this is the whole file.
+  while (next_in_file(message, held_.empty() ? always : std::get<0>(held_.begin()->first))) hold(message);
+  if (held_.empty()) return false;
+  due_ = std::move(held_.extract(held_.begin()).mapped());
+  held_bytes_ -= sizeof(Held) + due_.data.size();
+  message = due_.message;
+  message.data = due_.data;
+  return true;
+}
+
+void Reader::hold(const Message& message) {
+  held_bytes_ += sizeof(Held) + message.data.size();
+  if (message.log_time >= due_.message.log_time && held_bytes_ / 8 <= most_bytes_) {
+    held_.emplace(std::tuple(message.log_time, message.channel, message.sequence),
+                  Held{message, std::string(message.data)});
+    return;
+  }
+  select({.first_time = 1, .last_time = 0});
+  throw Unsortable(file_.path(),
+                   fmt::format("{}; at most {} bytes can be sorted, and only by an index that is true",
+                               summary_ ? "is not in the order of time" : "has no index", 8 * most_bytes_));
+}
+
+// Reads the next selected message in the order of the file. With a summary, stops at a chunk that begins after `until`.
+bool Reader::next_in_file(Message& message, std::uint64_t until) {
   try {
     while (true) {
       if (take_message(message)) return true;
-      if (!next_records()) return false;
+      if (!(summary_ ? next_indexed_chunk(until) : next_walked_record())) return false;
     }
   } catch (const Malformed& malformed) {
     rest_ = Decoder({});
@@ -110,7 +143,7 @@ bool Reader::next(Message& message) {
   }
 }
 
-// Delivers from the current records.
+// Takes the next selected message from the current chunk; returns false if the chunk has no more.
 bool Reader::take_message(Message& message) {
   while (!rest_.rest().empty()) {
     const RawRecord record = take_record(rest_);
@@ -133,7 +166,7 @@ bool Reader::take_message(Message& message) {
         break;
       }
       default:
-        break;  // what later versions add
+        break;  // ignores records of later versions
     }
   }
   return false;
@@ -141,10 +174,10 @@ bool Reader::take_message(Message& message) {
 
 void Reader::define(const RawRecord& record) {
   if (record.opcode == Opcode::schema) {
-    definitions_.define(decode_schema(record.content));
+    definitions_.define(decode<Schema>(record.content));
     return;
   }
-  Channel channel = decode_channel(record.content);
+  Channel channel = decode<Channel>(record.content);
   const ChannelId id = channel.id;
   if (definitions_.define(std::move(channel))) note_wanted(channels().at(id));
 }
@@ -153,16 +186,14 @@ void Reader::note_wanted(const Channel& channel) {
   const auto index = static_cast<std::size_t>(channel.id);
   if (index >= wanted_.size()) wanted_.resize(index + 1, Wanted::unknown);
   const auto& topics = selection_.topics;
-  const bool wanted = topics.empty() || std::find(topics.begin(), topics.end(), channel.topic) != topics.end();
+  const bool wanted = topics.empty() || std::ranges::find(topics, channel.topic) != topics.end();
   wanted_[index] = wanted ? Wanted::yes : Wanted::no;
 }
 
-// Makes the next chunk, or the next record outside of chunks, the current records.
-bool Reader::next_records() { return summary_ ? next_indexed_chunk() : next_walked_record(); }
-
-bool Reader::next_indexed_chunk() {
-  while (next_chunk_ < summary_->chunks.size()) {
-    const ChunkIndex& chunk = summary_->chunks[next_chunk_++];
+// Loads the next chunk that may contain selected messages; returns false at the end and if it begins after `until`.
+bool Reader::next_indexed_chunk(std::uint64_t until) {
+  while (next_chunk_ < chunks_.size() && chunks_[next_chunk_].first <= until) {
+    const ChunkIndex& chunk = *chunks_[next_chunk_++].second;
     if (!is_wanted(chunk)) continue;
     load_chunk(chunk.offset, chunk.length, &chunk);
     return true;
@@ -172,13 +203,14 @@ bool Reader::next_indexed_chunk() {
 
 bool Reader::is_wanted(const ChunkIndex& chunk) const {
   if (chunk.first_time > selection_.last_time || chunk.last_time < selection_.first_time) return false;
-  if (chunk.message_indexes.empty()) return true;  // nobody says what it holds
-  return std::any_of(chunk.message_indexes.begin(), chunk.message_indexes.end(), [&](const auto& index) {
+  if (chunk.message_indexes.empty()) return true;  // the chunk has no index, so it must be read
+  return std::ranges::any_of(chunk.message_indexes, [&](const auto& index) {
     const auto channel = static_cast<std::size_t>(index.first);
     return channel >= wanted_.size() || wanted_[channel] != Wanted::no;
   });
 }
 
+// Loads the next chunk, or the next record outside of chunks; returns false at the end.
 bool Reader::next_walked_record() {
   while (!walk_is_over_) {
     const auto place = walk_.next();
@@ -220,7 +252,7 @@ bool Reader::next_walked_record() {
   return false;
 }
 
-// The walk has passed the footer, or met a record that the file does not hold.
+// Ends the walk, either after the footer or at a record that the file does not completely contain.
 void Reader::end_walk(bool after_footer) {
   walk_is_over_ = true;
   const std::uint64_t byte = walk_.offset();
@@ -242,7 +274,7 @@ void Reader::load_chunk(std::uint64_t offset, std::uint64_t length, const ChunkI
   const Chunk chunk = decode_chunk(content(offset, length, stored_));
   if (index != nullptr) {
     Decoder prefix(stored_);
-    if (static_cast<Opcode>(prefix.u8()) != Opcode::chunk || prefix.u64() != length - record_prefix ||
+    if (prefix.next<Opcode>() != Opcode::chunk || prefix.next<std::uint64_t>() != length - record_prefix ||
         chunk.first_time != index->first_time || chunk.last_time != index->last_time ||
         chunk.uncompressed_size != index->uncompressed_size || chunk.compression != index->compression ||
         chunk.records.size() != index->compressed_size) {
@@ -250,22 +282,24 @@ void Reader::load_chunk(std::uint64_t offset, std::uint64_t length, const ChunkI
     }
   }
   if (chunk.uncompressed_size > most_bytes_) {
-    throw Error(file_.path(), "has a chunk of " + std::to_string(chunk.uncompressed_size) + " bytes at byte " +
-                                  std::to_string(offset) + "; at most " + std::to_string(most_bytes_) + " can be read");
+    throw Error(file_.path(), fmt::format("has a chunk of {} bytes at byte {}; at most {} can be read",
+                                          chunk.uncompressed_size, offset, most_bytes_));
   }
   if (chunk.compression == "zstd") {
     decompressor_.decompress(chunk.records, chunk.uncompressed_size, records_);
+  } else if (chunk.compression == "lz4") {
+    has_lz4_ = true;
+    decompress_lz4(chunk.records, chunk.uncompressed_size, records_);
   } else if (chunk.compression.empty()) {
     if (chunk.records.size() != chunk.uncompressed_size) throw Malformed{"a chunk claims another size than it has"};
     records_ = chunk.records;
   } else {
-    throw Error(file_.path(), "has a chunk at byte " + std::to_string(offset) + " that is compressed by \"" +
-                                  in_ascii(chunk.compression.substr(0, 32)) +
-                                  "\"; this program reads zstd and uncompressed chunks");
+    throw Error(file_.path(),
+                fmt::format("has a chunk at byte {} that is compressed by \"{}\"; this program reads zstd, lz4 "
+                            "and uncompressed chunks",
+                            offset, in_ascii(chunk.compression.substr(0, 32))));
   }
-  if (chunk.checksum != 0 && checksum(records_) != chunk.checksum) {
-    throw Malformed{"the checksum of a chunk is wrong"};
-  }
+  if (chunk.checksum != 0 && checksum(records_) != chunk.checksum) throw Malformed{"the checksum of a chunk is wrong"};
   rest_ = Decoder(records_);
 }
 
@@ -275,20 +309,20 @@ void Reader::keep_metadata(std::uint64_t offset, std::uint64_t length) {
     if (bytes.size() > metadata_left_) throw Malformed{"its metadata are larger than this program reads"};
     metadata_left_ -= bytes.size();
     Decoder prefix(stored_);
-    if (static_cast<Opcode>(prefix.u8()) != Opcode::metadata || prefix.u64() != bytes.size()) {
+    if (prefix.next<Opcode>() != Opcode::metadata || prefix.next<std::uint64_t>() != bytes.size()) {
       throw Malformed{"here metadata have to stand"};
     }
-    metadata_.push_back(decode_metadata(bytes));
+    metadata_.push_back(decode<Metadata>(bytes));
   } catch (const Malformed& malformed) {
     damaged(offset, malformed.why);
   }
 }
 
-// What the record at a place holds, read whole into `to`.
+// Reads the record at `offset` into `to` and returns its content.
 std::string_view Reader::content(std::uint64_t offset, std::uint64_t length, std::string& to) const {
   if (length > most_bytes_) {
-    throw Error(file_.path(), "has a record of " + std::to_string(length) + " bytes at byte " + std::to_string(offset) +
-                                  "; at most " + std::to_string(most_bytes_) + " can be read");
+    throw Error(file_.path(), fmt::format("has a record of {} bytes at byte {}; at most {} can be read", length, offset,
+                                          most_bytes_));
   }
   file_.read(offset, static_cast<std::size_t>(length), to);
   return std::string_view(to).substr(record_prefix);

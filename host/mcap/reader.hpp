@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Reads an MCAP file (https://mcap.dev/spec) from its first message to its last, with one chunk in memory.
+// Reads an MCAP file (https://mcap.dev/spec) from its first message to its last, and keeps one chunk in memory. MCAP
+// files may have any order of messages, so a reader that needs the order of time selects it.
 //
 //   mcap::Reader reader("match.mcap");
 //   reader.select({.last_time = 462'000'000'000, .topics = {"/truth"}});
 //   for (mcap::Message message; reader.next(message);) use(reader.channels().at(message.channel), message.data);
 //   if (reader.cut_off()) warn(*reader.cut_off());
 //
-// A file with an intact summary is read through it: chunks that hold nothing of the selection are passed over. One that
-// has none, because a crash or a full disk cut it off, is read from its beginning as far as its records are whole. The
-// file is taken for hostile: no number in it is believed before the file has shown the bytes.
+// If the file has an intact summary, the reader uses the summary and skips chunks without selected messages. A crash or
+// a full disk leaves a file without a summary: the reader reads this file up to its last complete record. The reader
+// does not trust lengths in the file, but checks that the file contains so many bytes.
 #pragma once
 
 #include <cstddef>
@@ -18,52 +19,66 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
-#include "mcap/compression.hpp"
-#include "mcap/decode.hpp"
-#include "mcap/definitions.hpp"
-#include "mcap/format.hpp"
-#include "mcap/input_file.hpp"
-#include "mcap/record_walk.hpp"
+#include "mcap/encoding.hpp"
+#include "mcap/file_io.hpp"
 #include "mcap/records.hpp"
 #include "mcap/summary.hpp"
 
 namespace regista::mcap {
 
 struct Selection {
-  std::uint64_t first_time = 0, last_time = std::numeric_limits<std::uint64_t>::max();  // log times, both included
-  std::vector<std::string> topics = {};                                                 // none: all of them
+  std::uint64_t first_time = 0, last_time = std::numeric_limits<std::uint64_t>::max();  // log times, inclusive
+  std::vector<std::string> topics = {};                                                 // empty: all topics
+  // Sorts messages by log time, channel and sequence. The reader then keeps in memory the chunks that overlap in time;
+  // without a summary, all selected messages.
+  bool by_time = false;
+};
+
+// Sorting would need too much memory, or the summary contains wrong times. The reader delivers no further message.
+struct Unsortable : Error {
+  using Error::Error;
 };
 
 class Reader {
  public:
-  // Throws Error for a file that cannot be opened, is no MCAP file of version 0 or ends within its header, or whose
-  // summary is damaged. `most_bytes` is the most of one chunk (plain or compressed), record, summary, of all metadata,
-  // or of all schemas and channels: what is more is refused.
+  // Throws Error for a file that cannot be opened, is not an MCAP file of version 0, ends within its header, or has a
+  // damaged summary. most_bytes: limit of each of these: one chunk (plain or compressed), one record, the summary, all
+  // metadata, all schemas and channels. Larger items are an Error. Sorting uses at most 8 * most_bytes.
   explicit Reader(const std::filesystem::path& file, std::size_t most_bytes = largest_record);
 
-  // Whether a summary leads to the messages. Then channels and metadata are known from the beginning, otherwise as far
-  // as next() has come.
+  // Whether the file has a usable summary. If so, all channels and metadata are known from the beginning. Otherwise,
+  // only the channels and metadata before the position of next() are known.
   bool indexed() const { return summary_.has_value(); }
   const std::map<ChannelId, Channel>& channels() const { return definitions_.channels(); }
   const std::vector<Metadata>& metadata() const { return metadata_; }
-  const Statistics* statistics() const;  // null where no summary tells them
+  const Statistics* statistics() const;  // null if the file has no summary with statistics
 
-  // Starts again from the beginning of the file, with these messages only.
+  // Starts again from the beginning of the file and delivers only the selected messages.
   void select(Selection selection);
 
-  // The next message in the order of the file; false at its end. The message's data live until the next call. Throws
-  // Error at a damaged chunk; the call after that goes on with what follows.
+  // Reads the next selected message; returns false at the end. Message::data is valid until the next call. Throws
+  // Error at a damaged chunk; the following call continues after this chunk.
   bool next(Message& message);
 
-  // After next() has returned false: where the file was cut off, if it was; for people, with the file's name.
+  bool has_lz4() const { return has_lz4_; }  // whether LZ4 compresses a chunk that was read
+
+  // Says where the file was cut off; nothing for a complete file. Known after next() has returned false.
   const std::optional<std::string>& cut_off() const { return cut_off_; }
 
  private:
+  struct Held {
+    Message message;
+    std::string data;  // of this message
+  };
+
   void open_summary();
-  bool next_records();
-  bool next_indexed_chunk();
+  bool next_in_file(Message& message, std::uint64_t until);
+  bool next_by_time(Message& message);
+  void hold(const Message& message);
+  bool next_indexed_chunk(std::uint64_t until);
   bool next_walked_record();
   void end_walk(bool after_footer);
   bool is_wanted(const ChunkIndex& chunk) const;
@@ -83,21 +98,28 @@ class Reader {
   Definitions definitions_;
   std::size_t metadata_left_;  // bytes
   std::vector<Metadata> metadata_;
-  std::uint64_t kept_until_ = 0;  // metadata before are known
+  std::uint64_t kept_until_ = 0;  // offset up to which metadata is known
 
   Selection selection_;
   enum class Wanted : std::uint8_t { unknown, no, yes };
   std::vector<Wanted> wanted_;  // by channel
 
   Decompressor decompressor_;
-  std::size_t next_chunk_ = 0;  // with a summary
-  RecordWalk walk_;             // without
+  // Chunks in the order of reading, each with the earliest possible time of its messages; used only with a summary.
+  std::vector<std::pair<std::uint64_t, const ChunkIndex*>> chunks_;
+  std::size_t next_chunk_ = 0;  // index of the next chunk
+  RecordWalk walk_;             // used only without a summary
   bool walk_is_over_ = false, in_summary_ = false;
-  std::string stored_;   // a record as it stands in the file
+  std::string stored_;   // a record as stored in the file
   std::string records_;  // schemas, channels and messages of the current chunk
-  Decoder rest_{{}};     // what of them has not been delivered
+  Decoder rest_{{}};     // the part of records_ that has not been delivered
   std::uint64_t place_ = 0;
+  bool has_lz4_ = false;
   std::optional<std::string> cut_off_;
+
+  std::multimap<std::tuple<std::uint64_t, ChannelId, std::uint32_t>, Held> held_;  // by time, channel, sequence
+  std::size_t held_bytes_ = 0;
+  Held due_;  // the last message delivered by time
 };
 
 }  // namespace regista::mcap

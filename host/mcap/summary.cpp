@@ -1,46 +1,49 @@
 // SPDX-License-Identifier: MIT
 #include "mcap/summary.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "mcap/checksum.hpp"
-#include "mcap/decode.hpp"
-#include "mcap/error.hpp"
-#include "mcap/format.hpp"
+#include "mcap/encoding.hpp"
 
 namespace regista::mcap {
 namespace {
+
+std::string number(SchemaId id) { return std::to_string(static_cast<unsigned>(id)); }
+std::string number(ChannelId id) { return std::to_string(static_cast<unsigned>(id)); }
 
 constexpr std::size_t ending = footer_record + magic.size();
 
 void read_record(const RawRecord& record, Summary& summary) {
   switch (record.opcode) {
     case Opcode::schema:
-      summary.schemas.push_back(decode_schema(record.content));
+      summary.schemas.push_back(decode<Schema>(record.content));
       break;
     case Opcode::channel:
-      summary.channels.push_back(decode_channel(record.content));
+      summary.channels.push_back(decode<Channel>(record.content));
       break;
     case Opcode::chunk_index:
-      summary.chunks.push_back(decode_chunk_index(record.content));
+      summary.chunks.push_back(decode<ChunkIndex>(record.content));
       break;
     case Opcode::metadata_index:
-      summary.metadata.push_back(decode_metadata_index(record.content));
+      summary.metadata.push_back(decode<MetadataIndex>(record.content));
       break;
     case Opcode::statistics:
-      summary.statistics = decode_statistics(record.content);
+      summary.statistics = decode<Statistics>(record.content);
       break;
     default:
-      break;  // attachments, summary offsets, and what later versions add
+      break;  // ignores attachments, summary offsets and records of later versions
   }
 }
 
-// Every place between `begin` and `end`, in ascending order, apart from each other.
+// Throws Malformed unless all places are between `begin` and `end` and do not overlap. Sorts the places by offset.
 template <class Index>
 void check_places(std::vector<Index>& places, std::uint64_t begin, std::uint64_t end) {
-  std::sort(places.begin(), places.end(), [](const Index& a, const Index& b) { return a.offset < b.offset; });
+  std::ranges::sort(places, {}, &Index::offset);
   for (const Index& place : places) {
     if (place.offset < begin || place.offset > end || place.length < record_prefix ||
         place.length > end - place.offset) {
@@ -58,12 +61,42 @@ bool leads_to_all_messages(const Summary& summary) {
 
 }  // namespace
 
+void Definitions::define(Schema&& schema) {
+  if (schema.id == SchemaId::none) return;  // the format requires readers to ignore such schemas
+  if (const auto known = schemas_.find(schema.id); known != schemas_.end()) {
+    if (known->second != schema) throw Malformed{"schema " + number(schema.id) + " is given twice and differs"};
+    return;
+  }
+  take(schema.name.size() + schema.encoding.size() + schema.data.size());
+  const SchemaId id = schema.id;
+  schemas_.emplace(id, std::move(schema));
+}
+
+bool Definitions::define(Channel&& channel) {
+  if (const auto known = channels_.find(channel.id); known != channels_.end()) {
+    if (known->second != channel) throw Malformed{"channel " + number(channel.id) + " is given twice and differs"};
+    return false;
+  }
+  if (channel.schema != SchemaId::none && !schemas_.contains(channel.schema)) {
+    throw Malformed{"channel " + number(channel.id) + " names schema " + number(channel.schema) + ", which is missing"};
+  }
+  take(channel.topic.size() + channel.message_encoding.size());
+  const ChannelId id = channel.id;
+  channels_.emplace(id, std::move(channel));
+  return true;
+}
+
+void Definitions::take(std::size_t bytes) {
+  if (bytes > left_) throw Malformed{"its schemas and channels are larger than this program reads"};
+  left_ -= bytes;
+}
+
 bool has_footer(const InputFile& file) {
   if (file.size() < magic.size() + ending) return false;
   std::string bytes;
   file.read(file.size() - ending, ending, bytes);
   Decoder in(bytes);
-  return static_cast<Opcode>(in.u8()) == Opcode::footer && in.u64() == footer_content && bytes.ends_with(magic);
+  return in.next<Opcode>() == Opcode::footer && in.next<std::uint64_t>() == footer_content && bytes.ends_with(magic);
 }
 
 std::optional<Summary> read_summary(const InputFile& file, std::uint64_t header_end, std::size_t most_bytes) {
@@ -82,8 +115,7 @@ std::optional<Summary> read_summary(const InputFile& file, std::uint64_t header_
   const std::uint64_t data_end = footer.summary_start - data_end_record;
   const std::uint64_t length = footer_start - data_end;
   if (length > most_bytes) {
-    throw Error(file.path(), "has a summary of " + std::to_string(length) + " bytes; at most " +
-                                 std::to_string(most_bytes) + " can be read");
+    throw Error(file.path(), fmt::format("has a summary of {} bytes; at most {} can be read", length, most_bytes));
   }
 
   std::string bytes;

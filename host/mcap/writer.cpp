@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "mcap/writer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <limits>
-
-#include "mcap/checksum.hpp"
-#include "mcap/error.hpp"
-#include "mcap/utf8.hpp"
 
 namespace regista::mcap {
 namespace {
 
 constexpr std::size_t most_ids = std::numeric_limits<std::uint16_t>::max();
 
-// Content of a chunk's record without compression name and records.
+// Length of a chunk's fields without compression name and records.
 constexpr std::size_t chunk_fields = 8 + 8 + 8 + 4 + 4 + 8;
 
 }  // namespace
@@ -70,13 +68,13 @@ void Writer::write(const Message& message) {
   filling_.places[channel].emplace_back(message.log_time, filling_.records.size());
   append_record(filling_.records, message);
 
-  filling_.first_time = filling_.messages == 0 ? message.log_time : std::min(filling_.first_time, message.log_time);
-  filling_.last_time = filling_.messages == 0 ? message.log_time : std::max(filling_.last_time, message.log_time);
-  ++filling_.messages;
-  const bool is_first = statistics_.messages == 0;
-  statistics_.first_time = is_first ? message.log_time : std::min(statistics_.first_time, message.log_time);
-  statistics_.last_time = is_first ? message.log_time : std::max(statistics_.last_time, message.log_time);
-  ++statistics_.messages;
+  const auto count = [time = message.log_time](auto& in) {
+    in.first_time = in.messages == 0 ? time : std::min(in.first_time, time);
+    in.last_time = std::max(in.last_time, time);
+    ++in.messages;
+  };
+  count(filling_);
+  count(statistics_);
   ++statistics_.messages_of[message.channel];
   if (filling_.records.size() >= chunk_size_) finish_chunk();
 }
@@ -114,13 +112,13 @@ void Writer::finish_chunk() {
 
 void Writer::store(Chunk& chunk) {
   ChunkIndex index;
-  index.first_time = chunk.messages == 0 ? 0 : chunk.first_time;
-  index.last_time = chunk.messages == 0 ? 0 : chunk.last_time;
+  index.first_time = chunk.first_time;
+  index.last_time = chunk.last_time;
   index.offset = file_.size();
   index.compression = "zstd";
   index.uncompressed_size = chunk.records.size();
 
-  // The fields stand before the records and tell their compressed size; they are written over once it is known.
+  // The fields come before the records but contain the compressed size, so they are filled in when this size is known.
   const std::size_t prefix = record_prefix + chunk_fields + index.compression.size();
   bytes_.assign(prefix, '\0');
   compressor_.append(bytes_, chunk.records);
@@ -143,7 +141,7 @@ void Writer::store(Chunk& chunk) {
   chunks_.push_back(std::move(index));
   chunk.records.clear();
   for (std::vector<MessagePlace>& places : chunk.places) places.clear();
-  chunk.messages = 0;
+  chunk.messages = chunk.first_time = chunk.last_time = 0;
 }
 
 void Writer::close() {
@@ -188,22 +186,18 @@ std::string Writer::summary() const {
 
 void Writer::check_open() {
   assert(!closed_);
-  if (background_) {
-    background_->throw_if_failed();
-    return;
-  }
-  file_.throw_if_failed();
+  background_ ? background_->throw_if_failed() : file_.throw_if_failed();
 }
 
 void Writer::check_text(std::string_view what, std::string_view text) const {
-  if (!is_utf8(text)) throw Error(file_.path(), "cannot hold " + std::string(what) + " that is not UTF-8");
+  if (!is_utf8(text)) throw Error(file_.path(), fmt::format("cannot hold {} that is not UTF-8", what));
   check_size(what, text.size());
 }
 
 void Writer::check_size(std::string_view what, std::size_t bytes) const {
   if (bytes <= largest_item) return;
-  throw Error(file_.path(), "cannot hold " + std::string(what) + " of " + std::to_string(bytes) + " bytes; at most " +
-                                std::to_string(largest_item) + " are possible");
+  throw Error(file_.path(),
+              fmt::format("cannot hold {} of {} bytes; at most {} are possible", what, bytes, largest_item));
 }
 
 }  // namespace regista::mcap

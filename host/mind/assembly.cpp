@@ -25,7 +25,7 @@ std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned su
                                                      host, caller_);
   parts_.push_back(&part);
   mailboxes_->connect(instance);
-  // Every instance of a robot has a stream of its own.
+  // created_ gives every instance of a robot its own random stream.
   const r123::Philox2x64 philox;
   const auto words = philox({{static_cast<std::uint64_t>(stream), created_++}}, {{seed_}});
   instance->reset(words[0]);
@@ -49,7 +49,7 @@ LocalModel Assembly::local_model() {
 
 TeamModel Assembly::team_model() {
   const int team_size = plan_->rules().team_size;
-  // What is common must not hang on who carries it forward: these have the same luck in every robot.
+  // These predictors have the same random stream in every robot, so that the common world is the same in every robot.
   constexpr int everyone = 0;
   plugin::Predictor teammates(create(plan_->teammates(), REGISTA_SUBJECT_TEAMMATES, everyone));
   std::vector<plugin::Predictor> balls, opponents;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Creates the plugin instances of one robot's mind from the team's plan. Always in the same order, so that mailboxes
-// and seeds match between teammates. Places of a context that name the same plugin with the same parameters share one
-// instance: a system whose sender, positioner and assigner share state is one object. Predictors and conditions never
-// do.
+// Assembly creates the plugin instances of one robot's mind from the team's plan. All teammates create the instances in
+// one order, so that mailboxes and seeds of teammates match. If the plan uses a plugin twice with the same parameters,
+// the two uses share one instance and its state. Predictors and conditions never share an instance.
 #pragma once
 
 #include <cstddef>
@@ -13,29 +12,29 @@
 #include "mind/coordination/coordination.hpp"
 #include "mind/extensions/extensions.hpp"
 #include "mind/team_plan.hpp"
-#include "mind/world/local_model.hpp"
-#include "mind/world/mailbox.hpp"
-#include "mind/world/team_model.hpp"
+#include "mind/world/mailboxes.hpp"
+#include "mind/world/world_model.hpp"
 #include "plugin/kinds.hpp"
 
 namespace regista::mind {
 
 class Assembly {
  public:
-  // All of it outlives the instances.
+  // All arguments must outlive the created instances.
   Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailboxes& mailboxes, Extensions& extensions,
            const plugin::Caller& caller);
 
   LocalModel local_model();
   TeamModel team_model();
   std::vector<ContextParts> contexts();
-  // In the order of the plan's. After contexts(), whose instances they may share.
+  // Returns the behaviours in the order of TeamPlan::behaviours(). Must be called after contexts(): contexts and
+  // behaviours may share instances, and the first use determines the order of creation.
   std::vector<plugin::Behaviour> behaviours();
-  // What the instance in this place of the mailboxes was made for; of a shared one the first of its parts.
+  // Returns the part of the plan for which the instance at this place was created; if shared: of the first use.
   const Part& part(std::size_t place) const { return *parts_.at(place); }
 
  private:
-  // `stream`: robot whose luck the instance has, 0 = the same luck for all robots.
+  // `stream`: number of the robot whose random stream the instance gets; 0: the stream that all robots share.
   std::shared_ptr<plugin::Instance> create(const Part& part, unsigned subject, int stream);
   std::shared_ptr<plugin::Instance> shared(const Part& part);
 
@@ -51,7 +50,7 @@ class Assembly {
   const plugin::Caller* caller_;
   std::uint64_t created_ = 0;
   std::vector<Shared> shared_;
-  std::vector<const Part*> parts_;  // by place
+  std::vector<const Part*> parts_;  // indexed by place
 };
 
 }  // namespace regista::mind

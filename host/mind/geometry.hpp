@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plane geometry that every room of a mind needs: angles, and the two changes of frame. Radians, metres.
+// Plane geometry for all parts of a mind: angles, and conversions between robot frame and field frame. Radians, metres.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ using Eigen::Vector2d;
 
 inline constexpr double pi = std::numbers::pi;
 
-// The same angle in (-pi, pi].
+// Returns the angle in (-pi, pi] that differs from `angle` by full turns.
 inline double wrap(double angle) {
   if (angle > -pi && angle <= pi) return angle;
   const double wrapped = std::remainder(angle, 2.0 * pi);
@@ -23,13 +23,13 @@ inline double wrap(double angle) {
 
 inline Vector2d position(const Pose& pose) { return {pose.x, pose.y}; }
 
-// In (-pi, pi]; 0 for no direction at all.
+// Returns the angle of `v` in (-pi, pi]; 0 for a zero vector.
 inline double angle_of(const Vector2d& v) {
   const double angle = std::atan2(v.y(), v.x());
-  return angle == -pi ? pi : angle;  // atan2 says -pi for a y of -0
+  return angle == -pi ? pi : angle;  // atan2 gives -pi for y = -0
 }
 
-// A pose with its direction as a vector, so that changing frames costs no trigonometry.
+// A pose whose heading is stored as a vector, so that changes of frame need no trigonometry.
 class Frame2 {
  public:
   explicit Frame2(const Pose& pose)
@@ -43,20 +43,10 @@ class Frame2 {
   Vector2d to_field(const Vector2d& v) const { return origin_ + direction_to_field(v); }
   Vector2d to_robot(const Vector2d& v) const { return direction_to_robot(v - origin_); }
   const Vector2d& origin() const { return origin_; }
-  Vector2d ahead() const { return {cos_, sin_}; }
 
  private:
   Vector2d origin_;
   double cos_, sin_;
 };
-
-// The point of the segment a-b nearest to p.
-inline Vector2d nearest_on_segment(const Vector2d& a, const Vector2d& b, const Vector2d& p) {
-  const Vector2d along = b - a;
-  const double length2 = along.squaredNorm();
-  if (length2 == 0.0) return a;
-  const double t = std::fmin(1.0, std::fmax(0.0, (p - a).dot(along) / length2));
-  return a + t * along;
-}
 
 }  // namespace regista::mind

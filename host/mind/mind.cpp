@@ -5,20 +5,16 @@
 #include <cassert>
 #include <utility>
 
-#include "config/packet_share.hpp"
+#include "config/rules.hpp"
 #include "mind/assembly.hpp"
-#include "mind/body/carry_out.hpp"
-#include "mind/body/robot_memory.hpp"
-#include "mind/coordination/events.hpp"
-#include "mind/sending_time.hpp"
-#include "mind/world/packet.hpp"
+#include "mind/body/walking.hpp"
 
 namespace regista::mind {
 namespace {
 
-constexpr double time_rounding = 1e-3;  // s, of a packet's time
+constexpr double time_rounding = 1e-3;  // s; packets round times to milliseconds
 
-// What it decided, for whoever keeps count.
+// Copies the decision to the outcome, which the metrics read.
 void tell(const Decision& decision, Outcome& out) {
   out.role = decision.own_role;
   out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
@@ -32,16 +28,16 @@ void tell(const Decision& decision, Outcome& out) {
 
 }  // namespace
 
-struct Mind::Parts {
-  Parts(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::Noting noting, Telling telling)
+struct Mind::Impl {
+  Impl(const TeamPlan& team_plan, int own_number, std::uint64_t seed, plugin::CallTracing tracing, MindOptions options)
       : plan(team_plan),
-        made(telling.whole_frame ? FrameParts::all() : FrameParts(team_plan)),
+        made(options.whole_frame ? FrameParts{} : team_plan.frame_parts()),
         number(own_number),
-        caller{team_plan.team().name, own_number, 0, noting, &rooms},
-        extensions(caller, std::move(telling.log), telling.drawings),
-        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), telling.segments),
+        caller{team_plan.team().name, own_number, 0, tracing, &rooms},
+        extensions(caller, std::move(options.log), options.drawings),
+        mailboxes(static_cast<std::size_t>(team_plan.rules().messages.size), options.segments),
         assembly(team_plan, own_number, seed, mailboxes, extensions, caller),
-        // In braces: the order of evaluation, and so of creating plugins, is that of the text.
+        // Braces fix the order of evaluation, and so the order in which plugins are created; parentheses do not.
         world{team_plan, own_number, assembly.local_model(), assembly.team_model(), made},
         coordination(team_plan, own_number, assembly.contexts(), made),
         detector(own_number),
@@ -58,7 +54,6 @@ struct Mind::Parts {
     points_near.reserve(RobotMemory::most);
   }
 
-  void hear(std::span<const HeardPacket> heard);
   void listen_to(const HeardPacket& packet);
   Vector2d target() const;
   plugin::Behaviour& behaviour();
@@ -73,7 +68,7 @@ struct Mind::Parts {
   const TeamPlan& plan;
   FrameParts made;
   int number;
-  plugin::AnswerRooms rooms;
+  plugin::AnswerBuffers rooms;
   plugin::Caller caller;
   PacketLimits limits;
   Extensions extensions;
@@ -85,9 +80,9 @@ struct Mind::Parts {
   std::vector<plugin::Behaviour> behaviours;
   RobotMemory robots_near;
   std::vector<regista_point> points_near;
-  std::optional<Vector2d> told_target;  // by the behaviour, instead of the task's place
+  std::optional<Vector2d> told_target;  // target that the behaviour announces; empty: the task's place is the target
 
-  GameTold game;  // as this decision was told
+  GameTold game;  // state of the game in this decision
   bool first = true;
   double now = 0.0;
   double own_sent_at = 0.0, team_sent_at = 0.0;
@@ -95,8 +90,8 @@ struct Mind::Parts {
   std::vector<Segment> segments;
 };
 
-Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::Noting noting, Telling telling)
-    : parts_(std::make_unique<Parts>(plan, number, seed, noting, std::move(telling))) {}
+Mind::Mind(const TeamPlan& plan, int number, std::uint64_t seed, plugin::CallTracing tracing, MindOptions options)
+    : parts_(std::make_unique<Impl>(plan, number, seed, tracing, std::move(options))) {}
 Mind::~Mind() = default;
 Mind::Mind(Mind&&) noexcept = default;
 Mind& Mind::operator=(Mind&&) noexcept = default;
@@ -111,7 +106,7 @@ int Mind::number() const { return parts_->number; }
 const Part& Mind::part(int place) const { return parts_->assembly.part(static_cast<std::size_t>(place)); }
 
 void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, Outcome& out) {
-  Parts& parts = *parts_;
+  Impl& parts = *parts_;
   const double dt = parts.first ? 0.0 : percepts.time - parts.now;
   assert(dt >= 0.0);
   parts.now = percepts.time;
@@ -121,7 +116,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   parts.mailboxes.begin(percepts.time);
 
   parts.world.sense(percepts, dt, parts.coordination.last_frame());
-  parts.hear(heard);
+  for (const HeardPacket& packet : heard) parts.listen_to(packet);
   const Decision& last = parts.coordination.decision();
   parts.world.fuse(percepts, dt, {last.own_role, last.own_role_since, parts.target()});
   const Decision& decision = parts.coordination.decide(parts.world, percepts.time, parts.caller.tick);
@@ -139,8 +134,8 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   ++parts.caller.tick;
 }
 
-// Whom the kick is meant for, if the behaviour said so.
-void Mind::Parts::say_receiver(Command& command) {
+// Sets the receiver of the kick, if the behaviour named one.
+void Mind::Impl::say_receiver(Command& command) {
   const std::optional<MeantPass>& pass = extensions.pass();
   if (!command.kick || !pass) return;
   if (pass->receiver < 1 || pass->receiver > limits.team_size || pass->receiver == number) {
@@ -152,20 +147,16 @@ void Mind::Parts::say_receiver(Command& command) {
   command.kick->receiver = pass->receiver;
 }
 
-void Mind::Parts::hand_over_metrics(Outcome& out) {
+void Mind::Impl::hand_over_metrics(Outcome& out) {
   extensions.metrics().take(out.metrics);
   if (const auto& wrong = extensions.metrics().violation()) {
     throw plugin::Failure(*wrong->plugin, &caller, "metric", wrong->what);
   }
 }
 
-void Mind::Parts::hear(std::span<const HeardPacket> heard) {
-  for (const HeardPacket& packet : heard) listen_to(packet);
-}
-
-void Mind::Parts::listen_to(const HeardPacket& packet) {
+void Mind::Impl::listen_to(const HeardPacket& packet) {
   const std::optional<Report> report = decode(packet.bytes, limits, segments);
-  // What is no packet of this team, or claims to be one's own or to come from the future, is noise.
+  // A packet is noise if it names this robot as sender or a sending time in the future.
   const auto is_noise = [&](const Report& told) {
     return told.sender == number || told.time_sent > now + time_rounding;
   };
@@ -182,19 +173,19 @@ void Mind::Parts::listen_to(const HeardPacket& packet) {
   }
 }
 
-// Where the robot walks to, for its teammates.
-Vector2d Mind::Parts::target() const {
+// Returns the target that this robot's packets contain.
+Vector2d Mind::Impl::target() const {
   if (told_target) return *told_target;
   const regista_task* task = coordination.decision().own_task;
   return task != nullptr ? Vector2d(task->after[0], task->after[1]) : position(world.local().pose());
 }
 
-plugin::Behaviour& Mind::Parts::behaviour() {
+plugin::Behaviour& Mind::Impl::behaviour() {
   const int role = coordination.decision().own_role;
   return behaviours[role < 0 ? plan.behaviour_without_role() : plan.roles()[static_cast<std::size_t>(role)].behaviour];
 }
 
-regista_body Mind::Parts::body(const Percepts& percepts) {
+regista_body Mind::Impl::body(const Percepts& percepts) {
   const Decision& decision = coordination.decision();
   const auto flag = [](bool is, std::uint32_t bit) { return is ? bit : 0u; };
   points_near.clear();
@@ -216,11 +207,11 @@ regista_body Mind::Parts::body(const Percepts& percepts) {
   out.head_yaw = percepts.view.heading;
   out.time_until_up = percepts.time_until_up;
   out.contact = percepts.contact.value_or(0.0);
-  out.robots_near = {points_near.data(), static_cast<std::uint32_t>(points_near.size()), sizeof(regista_point)};
+  out.robots_near = abi_span(points_near);
   return out;
 }
 
-Command Mind::Parts::act(const Percepts& percepts) {
+Command Mind::Impl::act(const Percepts& percepts) {
   robots_near.update(percepts, world.local().frame(), 2.0 * plan.robot().body.radius);
   const regista_action& action = behaviour().act(coordination.decision().frame, body(percepts));
   told_target.reset();
@@ -230,7 +221,7 @@ Command Mind::Parts::act(const Percepts& percepts) {
                    action);
 }
 
-regista_budget Mind::Parts::budget() const {
+regista_budget Mind::Impl::budget() const {
   const config::Rules& rules = plan.rules();
   const double sending_left = sending_time_left(rules.durations, game);
   regista_budget out{};
@@ -245,7 +236,7 @@ regista_budget Mind::Parts::budget() const {
   return out;
 }
 
-void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
+void Mind::Impl::decide_to_send(const Percepts& percepts, Outcome& out) {
   const Decision& decision = coordination.decision();
   const bool searching = decision.own_role >= 0 && (plan.purposes(decision.own_role) & REGISTA_BEHAVIOUR_SEARCHES) != 0;
   detector.detect(percepts, world, decision, searching, events);
@@ -260,7 +251,7 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
       coordination.sender().decide(decision.frame, events, mailboxes.pending(), budget());
   if (!send_decision.send) return;
   out.send = true;
-  out.packet.reserve(limits.size);  // once: segments would make it grow in the middle of a match
+  out.packet.reserve(limits.size);  // reserves all memory at once, so that segments cause no later allocation
   encode(report(percepts), out.packet);
   out.send_reason = send_decision.reason;
   if (send_decision.reason >= REGISTA_REASON_OWN) {
@@ -269,13 +260,13 @@ void Mind::Parts::decide_to_send(const Percepts& percepts, Outcome& out) {
   }
   mailboxes.load(send_decision.granted, out.packet);
   own_sent_at = now;
-  // What the others will know of this robot is what they decode.
+  // Decodes the own packet, because all robots' common worlds must contain the same rounded values.
   const std::optional<Report> decoded = decode(out.packet, limits, segments);
   assert(decoded);
   if (decoded) world.hear(*decoded, now);
 }
 
-Report Mind::Parts::report(const Percepts& percepts) const {
+Report Mind::Impl::report(const Percepts& percepts) const {
   const Decision& decision = coordination.decision();
   const regista_track& self = world.local().self();
   Report report;
@@ -295,14 +286,14 @@ Report Mind::Parts::report(const Percepts& percepts) const {
   const auto balls = world.local().balls();
   if (!balls.empty() && balls.front().age < Report::tells_ball_for) {
     const regista_track& ball = balls.front();
-    // A velocity that is not believed is not told: the others would carry the ball along it.
+    // Reports velocity 0 if the track's velocity is unreliable, because teammates move the ball with this velocity.
     const bool moves = (ball.flags & REGISTA_TRACK_VELOCITY) != 0;
     report.ball = ReportedBall{{ball.x, ball.y},
                                moves ? Vector2d(ball.vx, ball.vy) : Vector2d(0.0, 0.0),
                                std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[2])),
                                ball.age};
   }
-  // The five that were seen last, the likelier of equals.
+  // Chooses the five opponents that were seen last; of two opponents with equal age, the likelier one.
   std::array<const regista_track*, Report::most_opponents> chosen{};
   const auto younger = [](const regista_track* a, const regista_track* b) {
     if (a->age != b->age) return a->age < b->age;

@@ -3,38 +3,10 @@
 
 #include <algorithm>
 
-#include "config/packet_share.hpp"
-#include "mind/landmarks.hpp"
-#include "plugin/event_names.hpp"
+#include "mind/world/world_model.hpp"
+#include "plugin/description.hpp"
 
 namespace regista::mind {
-namespace {
-
-// Finds plugins, and checks the values of their parameters.
-struct Search {
-  const plugin::Catalogue& catalogue;
-  config::Mistakes& mistakes;
-
-  Part part(const config::PluginUse& use, int kind, unsigned subject = 0) const {
-    Part out{nullptr, {}, use};
-    // Which plugin is meant here, nobody knows.
-    if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
-    mistakes.attempt("", [&] {
-      out.found = &catalogue.find(use, kind, subject);
-      out.parameters = plugin::resolve(*out.found->descriptor, use, mistakes);
-    });
-    return out;
-  }
-  Part predictor(const config::PluginUse& use, unsigned subject) const {
-    return part(use, REGISTA_KIND_PREDICTOR, subject);
-  }
-};
-
-}  // namespace
-
-TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue)
-    : TeamPlan(std::move(team), std::move(rules), std::move(robot), catalogue,
-               config::Mistakes(config::Mistakes::After::stop)) {}
 
 TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
                    config::Mistakes&& mistakes)
@@ -43,22 +15,32 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
 TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
                    config::Mistakes& mistakes)
     : team_(std::move(team)), rules_(std::move(rules)), robot_(std::move(robot)) {
-  const Search open{catalogue, mistakes};
-  self_ = open.predictor(team_.self, REGISTA_SUBJECT_SELF);
-  ball_ = open.predictor(team_.ball, REGISTA_SUBJECT_BALL);
-  opponents_ = open.predictor(team_.opponents, REGISTA_SUBJECT_OPPONENTS);
-  teammates_ = open.predictor(team_.teammates, REGISTA_SUBJECT_TEAMMATES);
+  // Finds a plugin and checks the values of its parameters.
+  const auto part = [&](const config::PluginUse& use, int kind, unsigned subject = 0) {
+    Part out{nullptr, {}, use};
+    // An earlier mistake has already reported a plugin without a name or with a doubtful place.
+    if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
+    mistakes.attempt("", [&] {
+      out.found = &catalogue.find(use, kind, subject);
+      out.parameters = plugin::resolve(*out.found->descriptor, use, mistakes);
+    });
+    return out;
+  };
+  self_ = part(team_.self, REGISTA_KIND_PREDICTOR, REGISTA_SUBJECT_SELF);
+  ball_ = part(team_.ball, REGISTA_KIND_PREDICTOR, REGISTA_SUBJECT_BALL);
+  opponents_ = part(team_.opponents, REGISTA_KIND_PREDICTOR, REGISTA_SUBJECT_OPPONENTS);
+  teammates_ = part(team_.teammates, REGISTA_KIND_PREDICTOR, REGISTA_SUBJECT_TEAMMATES);
   for (const config::Context& context : team_.contexts) {
     std::optional<Part> positioner;
-    if (!context.positioner.plugin.empty()) positioner = open.part(context.positioner, REGISTA_KIND_POSITIONER);
+    if (!context.positioner.plugin.empty()) positioner = part(context.positioner, REGISTA_KIND_POSITIONER);
     std::vector<TermPart> terms;
     for (const config::UtilityTerm& term : context.terms) {
-      terms.push_back({term.name, term.weight, open.part(term.use, REGISTA_KIND_UTILITY)});
+      terms.push_back({term.name, term.weight, part(term.use, REGISTA_KIND_UTILITY)});
     }
-    contexts_.push_back({open.part(context.use, REGISTA_KIND_CONTEXT),
+    contexts_.push_back({part(context.use, REGISTA_KIND_CONTEXT),
                          std::move(positioner),
-                         open.part(context.assigner, REGISTA_KIND_ASSIGNER),
-                         open.part(context.sender, REGISTA_KIND_SENDER),
+                         part(context.assigner, REGISTA_KIND_ASSIGNER),
+                         part(context.sender, REGISTA_KIND_SENDER),
                          std::move(terms),
                          {}});
   }
@@ -66,7 +48,7 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   const auto behaviour = [&](const std::string& name, const config::Location& where) {
     const auto known = std::ranges::find(behaviours_, name, &BehaviourPlan::name);
     if (known != behaviours_.end()) return static_cast<std::size_t>(known - behaviours_.begin());
-    behaviours_.push_back({name, open.part(team_.behaviour_named(name, where), REGISTA_KIND_BEHAVIOUR)});
+    behaviours_.push_back({name, part(team_.behaviour_named(name, where), REGISTA_KIND_BEHAVIOUR)});
     return behaviours_.size() - 1;
   };
   for (std::size_t list = 0; list < team_.role_lists.size(); ++list) {
@@ -80,9 +62,9 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
     }
   }
   behaviour_without_role_ = behaviour(team_.behaviour_without_role, team_.behaviour_without_role_where);
-  // Those that nobody names are looked at too: a mistake in one is one.
+  // Also checks the behaviours that no role names, because these may contain mistakes.
   for (const config::Behaviour& each : team_.behaviours) behaviour(each.name, each.use.where);
-  constexpr std::size_t most_roles = 254;  // one byte in a packet, one value of it for "none"
+  constexpr std::size_t most_roles = 254;  // a packet has one byte for the role, with one value for "none"
   if (roles_.size() > most_roles) {
     mistakes.add(config::Error(team_.where, "a team may name at most 254 roles in all its lists, this one has " +
                                                 std::to_string(roles_.size())),
@@ -105,7 +87,7 @@ void TeamPlan::name_reasons() {
   }
   for (ContextPlan& context : contexts_) {
     if (context.sender.found == nullptr) continue;
-    for (const std::string& name : plugin::reasons(*context.sender.found)) {
+    for (const std::string& name : context.sender.found->description->reasons()) {
       const auto known = std::ranges::find(reasons_, name);
       context.own_reasons.push_back(static_cast<int>(known - reasons_.begin()));
       if (known == reasons_.end()) reasons_.push_back(name);
@@ -118,7 +100,7 @@ void TeamPlan::name_metrics(config::Mistakes& mistakes) {
     if (part->found == nullptr || std::ranges::find(metrics_of_, part->found, &MetricsOf::plugin) != metrics_of_.end())
       continue;
     MetricsOf& own = metrics_of_.emplace_back(MetricsOf{part->found, {}});
-    for (const plugin::DeclaredMetric& each : plugin::metrics(*part->found)) {
+    for (const plugin::DeclaredMetric& each : part->found->description->metrics()) {
       const std::string name = part->found->descriptor->id + ('.' + each.name);
       if (std::ranges::find(metrics_, name, &TeamMetric::name) != metrics_.end()) {
         mistakes.add(config::Error(part->use.where,
@@ -140,13 +122,11 @@ void TeamPlan::name_metrics(config::Mistakes& mistakes) {
 }
 
 void TeamPlan::collect_reads() {
-  const auto add = [](const Part& part, std::uint32_t& to) {
-    if (part.found != nullptr) to |= part.found->descriptor->reads;
-  };
-  for (const Part* part : parts()) add(*part, reads_);
-  for (const ContextPlan& context : contexts_) {
-    if (context.positioner) add(*context.positioner, positioners_read_);
-  }
+  const auto reads = [](const Part& part) { return part.found == nullptr ? 0u : part.found->descriptor->reads; };
+  std::uint32_t all = REGISTA_READS_NOTHING, positioners = REGISTA_READS_NOTHING;
+  for (const Part* part : parts()) all |= reads(*part);
+  for (const ContextPlan& context : contexts_) positioners |= context.positioner ? reads(*context.positioner) : 0u;
+  frame_parts_ = FrameParts::of(all, positioners);
 }
 
 std::span<const int> TeamPlan::metrics_of(const plugin::Found& plugin) const {
@@ -194,8 +174,8 @@ regista_environment TeamPlan::environment(int number, unsigned subject) const {
   out.decision_period = robot_.decision_period;
   out.packet_size = static_cast<std::uint32_t>(rules_.messages.size);
   out.packet_budget = static_cast<std::uint32_t>(config::packets(rules_.messages));
-  out.landmarks = {landmarks_.data(), static_cast<std::uint32_t>(landmarks_.size()), sizeof(regista_landmark)};
-  out.roles = {role_table_.data(), static_cast<std::uint32_t>(role_table_.size()), sizeof(regista_role)};
+  out.landmarks = abi_span(landmarks_);
+  out.roles = abi_span(role_table_);
   out.goal_post_radius = field.post_diameter / 2.0;
   out.ball_deceleration = rules_.ball.rolling_deceleration;
   out.set_play_distance = rules_.set_play_distance;
@@ -208,8 +188,8 @@ regista_environment TeamPlan::environment(int number, unsigned subject) const {
   out.head_speed = robot_.camera.head_speed;
   out.halves = static_cast<std::uint32_t>(rules_.durations.halves);
   out.half_length = rules_.durations.half;
-  out.events = {events_.data(), static_cast<std::uint32_t>(events_.size()), sizeof(regista_event_name)};
-  out.kicks = {kicks_.data(), static_cast<std::uint32_t>(kicks_.size()), sizeof(regista_kick)};
+  out.events = abi_span(events_);
+  out.kicks = abi_span(kicks_);
   return out;
 }
 

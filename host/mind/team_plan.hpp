@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A team whose plugins have been found and whose parameters have been checked: everything that is the same for all its
-// robots. From one plan come as many minds as the team has robots.
+// TeamPlan has what all robots of a team share: the team's document, its plugins and the checked parameters.
 #pragma once
+
+#include <regista/abi.h>
 
 #include <cstdint>
 #include <optional>
@@ -9,36 +10,60 @@
 #include <string>
 #include <vector>
 
-#include "config/mistakes.hpp"
+#include "config/errors.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
 #include "config/team.hpp"
-#include "mind/extensions/metric_reports.hpp"
+#include "mind/extensions/plugin_log.hpp"
 #include "plugin/catalogue.hpp"
 #include "plugin/parameters.hpp"
 
 namespace regista::mind {
 
-// A plugin with the values of its parameters.
-struct Part {
+// Returns the landmarks of a field, which cameras can recognise and plugins know. The set is the same in the field
+// frames of the two teams. Field frame, metres. Order: goal posts, centre, penalty marks, corners, T junctions.
+inline std::vector<regista_landmark> landmarks(const config::FieldSize& field) {
+  const double goal_line = field.length / 2.0, touch_line = field.width / 2.0;
+  const double post = (field.goal_width + field.post_diameter) / 2.0;
+  std::vector<regista_landmark> out;
+  const auto add = [&out](int kind, double x, double y) { out.push_back({kind, 0, x, y}); };
+  const auto add_mirrored = [&add](int kind, double x, double y) {
+    add(kind, x, y);
+    add(kind, x, -y);
+    add(kind, -x, y);
+    add(kind, -x, -y);
+  };
+  add_mirrored(REGISTA_LANDMARK_GOAL_POST, goal_line, post);
+  add(REGISTA_LANDMARK_CENTRE, 0.0, 0.0);
+  add(REGISTA_LANDMARK_PENALTY_MARK, goal_line - field.penalty_mark_distance, 0.0);
+  add(REGISTA_LANDMARK_PENALTY_MARK, -(goal_line - field.penalty_mark_distance), 0.0);
+  add_mirrored(REGISTA_LANDMARK_CORNER, goal_line, touch_line);
+  add(REGISTA_LANDMARK_T_JUNCTION, 0.0, touch_line);
+  add(REGISTA_LANDMARK_T_JUNCTION, 0.0, -touch_line);
+  add_mirrored(REGISTA_LANDMARK_T_JUNCTION, goal_line, field.goal_area_width / 2.0);
+  add_mirrored(REGISTA_LANDMARK_T_JUNCTION, goal_line, field.penalty_area_width / 2.0);
+  return out;
+}
+
+struct Part {  // One use of a plugin with the values of its parameters.
   const plugin::Found* found = nullptr;
   plugin::Parameters parameters;
-  config::PluginUse use;  // as the team's page has it
+  config::PluginUse use;  // the plugin's entry in the team's document
 };
 
-struct TermPart {
+struct TermPart {  // a term of a context's utility
   std::string name;
   double weight = 1.0;
   Part part;
 };
 
-// What is in force while a context holds.
+// The plugins of one context.
 struct ContextPlan {
   Part condition;
-  std::optional<Part> positioner;  // none: no waypoints, no filter by them, no offset
+  std::optional<Part> positioner;  // empty: no waypoints, so no filter by waypoints and no offset
   Part assigner, sender;
   std::vector<TermPart> terms;
-  std::vector<int> own_reasons;  // of the sender: indices into TeamPlan::reasons()
+  std::vector<int> own_reasons;  // reasons to send of the sender plugin: indices into TeamPlan::reasons()
 };
 
 struct BehaviourPlan {
@@ -46,25 +71,40 @@ struct BehaviourPlan {
   Part part;
 };
 
-// A row of the table of roles: its index is the id of role and task.
+// A row of the table of roles. The table has the roles of all lists. The row's index is the id of role and task.
 struct RoleRow {
   const config::Role* role = nullptr;
   int list = 0;               // index into Team::role_lists
-  int priority = 0;           // place in the list
+  int priority = 0;           // place in the list; 0 = most important
   std::size_t behaviour = 0;  // index into TeamPlan::behaviours()
+};
+
+// The frame parts that a mind makes: each part that a plugin of the team declares to read (REGISTA_READS_*).
+// plugin/call_inputs.hpp detects a plugin that reads an undeclared part.
+struct FrameParts {
+  bool common_opponents = true, times = true;
+  bool facings = true;               // facings of the kept tasks
+  bool facings_of_all_tasks = true;  // facings of all tasks of the context, which only a positioner sees
+
+  // read: REGISTA_READS_* of all plugins together; read_by_positioners: REGISTA_READS_* of the positioners alone.
+  static FrameParts of(std::uint32_t read, std::uint32_t read_by_positioners) {
+    return {(read & REGISTA_READS_OPPONENTS_COMMON) != 0, (read & REGISTA_READS_TIMES) != 0,
+            (read & REGISTA_READS_FACINGS) != 0, (read_by_positioners & REGISTA_READS_FACINGS) != 0};
+  }
 };
 
 class TeamPlan {
  public:
-  // Throws config::Error, located in the team's page, for a plugin that is missing, refused, of the wrong kind or given
-  // wrong parameters. `catalogue` outlives the plan.
-  TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue);
+  // Throws config::Error, with the place in the team's document, for a plugin that is missing, refused or of the wrong
+  // kind, or has wrong parameters. `catalogue` must outlive the plan.
+  TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
+           config::Mistakes&& mistakes = config::Mistakes(config::Mistakes::After::stop));
 
-  // The same, telling of every mistake. After one, the plan must not be played.
+  // Adds every mistake to `mistakes` and does not throw at the first mistake. A plan with a mistake must not be played.
   TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
            config::Mistakes& mistakes);
 
-  // Rows of the table of roles point into the team.
+  // Not copyable, because rows of the table of roles point into team_.
   TeamPlan(const TeamPlan&) = delete;
   TeamPlan& operator=(const TeamPlan&) = delete;
 
@@ -76,43 +116,40 @@ class TeamPlan {
   const Part& ball() const { return ball_; }
   const Part& opponents() const { return opponents_; }
   const Part& teammates() const { return teammates_; }
-  // In the order of Team::contexts: highest priority first.
+  // In the order of Team::contexts: the highest priority comes first.
   const std::vector<ContextPlan>& contexts() const { return contexts_; }
 
-  // Those that roles name, each once, in the order of the table of roles; then those that nobody names.
+  // First the behaviours of roles, each once, in the order of the table of roles; then the team's other behaviours.
   const std::vector<BehaviourPlan>& behaviours() const { return behaviours_; }
-  // Of a robot without a role.
+  // Index into behaviours(): the behaviour of a robot without a role.
   std::size_t behaviour_without_role() const { return behaviour_without_role_; }
-  // REGISTA_BEHAVIOUR_*: what the behaviour of a row of the table of roles is for.
+  // Returns the purposes (REGISTA_BEHAVIOUR_*) of a role's behaviour. role: row of the table of roles.
   std::uint32_t purposes(int role) const {
-    return plugin::purposes(*behaviours_[roles_[static_cast<std::size_t>(role)].behaviour].part.found);
+    return behaviours_[roles_[static_cast<std::size_t>(role)].behaviour].part.found->description->purposes();
   }
 
-  // All of the above, in a fixed order; a plugin may have several.
+  // Returns all parts of the team in a fixed order. Several parts may use the same plugin.
   std::vector<const Part*> parts() const;
 
-  // REGISTA_READS_*: the parts of frames that any of these plugins reads; those of positioners alone.
-  std::uint32_t reads() const { return reads_; }
-  std::uint32_t positioners_read() const { return positioners_read_; }
+  // The frame parts that a mind must make for the team's plugins.
+  const FrameParts& frame_parts() const { return frame_parts_; }
 
-  // What packets are sent for: the events of abi.h by their numbers, then those of the team's senders.
+  // Names of the reasons to send packets: first the events of abi.h by number, then the reasons of the team's senders.
   const std::vector<std::string>& reasons() const { return reasons_; }
   const std::string& reason(int of_packet) const { return reasons_.at(static_cast<std::size_t>(of_packet)); }
 
-  // The numbers that the team's plugins declare. metrics_of: those of one plugin of its parts, as indices into them.
+  // metrics(): all metrics of the team's plugins. metrics_of(): one plugin's metrics, as indices into metrics().
   const std::vector<TeamMetric>& metrics() const { return metrics_; }
   std::span<const int> metrics_of(const plugin::Found& plugin) const;
 
   const std::vector<RoleRow>& roles() const { return roles_; }
-  // Row of the first role of a list.
+  // Returns the row of the first role of a role list.
   int first_role(int list) const { return first_role_[static_cast<std::size_t>(list)]; }
 
-  // The environment of robot `number`; its spans and strings live in the plan.
+  // Returns the environment for a plugin in robot `number`. The plan owns the memory. subject: of a predictor; else 0.
   regista_environment environment(int number, unsigned subject = 0) const;
 
  private:
-  TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
-           config::Mistakes&& mistakes);
   void name_reasons();
   void name_metrics(config::Mistakes& mistakes);
   void collect_reads();
@@ -124,7 +161,7 @@ class TeamPlan {
   std::vector<ContextPlan> contexts_;
   std::vector<BehaviourPlan> behaviours_;
   std::size_t behaviour_without_role_ = 0;
-  std::uint32_t reads_ = REGISTA_READS_NOTHING, positioners_read_ = REGISTA_READS_NOTHING;
+  FrameParts frame_parts_;
   std::vector<RoleRow> roles_;
   std::vector<int> first_role_;
   std::vector<regista_role> role_table_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What becomes of the files that an option of a command names: they are read or written, and as what. What a command
-// may write over follows from that alone (output_files.hpp), and a test holds that no option with a value is left
-// without a word.
+// How a command uses a file that an option names: it reads or writes a file of some kind. Only from these declarations,
+// output_files.hpp decides which files may be overwritten. A test requires a declaration for every option with a value.
 #pragma once
 
 #include <string>
@@ -11,33 +10,32 @@
 namespace regista::output {
 
 enum class Reads {
-  documents,  // YAML, and whatever files it leads to; a folder stands for the documents in it
-  results,    // a file of results, with what SQLite keeps beside it
-  data,       // one file
+  documents,  // a YAML document and all files that it names, or a folder of documents
+  results,    // a file of results with the files that SQLite keeps beside it
+  data,       // any other single file
   plugins,    // a folder of shared objects
 };
 
 enum class Writes {
-  results,        // of a study, with what stands beside them
-  recording,      // of a match
-  decisions,      // of a match
-  metrics,        // of a match, as a table
-  match_table,    // of an experiment
-  summary_table,  // of an experiment
-  search_table,   // of a tuning
+  results,        // results of a study with the files beside them
+  recording,      // the recording of a match
+  decisions,      // the decisions of a match
+  metrics,        // the metrics of a match as a table
+  match_table,    // the table of the matches of an experiment
+  summary_table,  // the summary of an experiment
+  search_table,   // the evaluations of a tuning
   tuned_team,
-  page,     // or a picture
-  drawing,  // of a team's roles
-  figures,  // a folder
-  sources,  // a new folder: of a plugin, in which its own is made, or of a study
+  page,     // a page (HTML) or a picture (SVG)
+  drawing,  // a drawing of a team's roles
+  figures,  // a folder of figures
+  sources,  // a new folder for a study, or the folder that will contain the folder of a new plugin
 };
 
-using FileUse = std::variant<std::monostate, Reads, Writes>;  // none: the option names no file
+using FileUse = std::variant<std::monostate, Reads, Writes>;  // std::monostate: the option names no file
 
-// An option that was given.
 struct GivenOption {
   std::string name;                 // "--set"; "teams"
-  std::vector<std::string> values;  // in the order in which they were typed
+  std::vector<std::string> values;  // in the order of typing
   FileUse use;
 };
 

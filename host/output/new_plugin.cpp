@@ -8,9 +8,9 @@
 #include <optional>
 #include <system_error>
 
-#include "config/bad_input.hpp"
-#include "config/file.hpp"
-#include "plugin/descriptor.hpp"
+#include "config/errors.hpp"
+#include "config/overlay.hpp"
+#include "plugin/description.hpp"
 #include "texts/message.hpp"
 
 namespace regista::output {
@@ -19,20 +19,19 @@ namespace {
 namespace fs = std::filesystem;
 using config::BadInput;
 
-// What CMake, or what it writes for make and ninja, calls its own targets. Of these only names in lower case: others
-// are no names of plugins.
+// Names of targets of CMake, make and ninja. Only lower-case names are listed, because plugins have lower-case names.
 constexpr std::array<std::string_view, 14> cmake_targets{
     "all",           "clean",   "default_target",          "define",     "depend",  "edit_cache",
     "help",          "install", "list_install_components", "preinstall", "package", "package_source",
     "rebuild_cache", "test"};
-// Libraries that a plugin or its test is linked with: a target of this name would be taken for them.
+// Libraries that a plugin or its test links. CMake would confuse a target with such a name with the library.
 constexpr std::array<std::string_view, 4> libraries{"c", "dl", "m", "pthread"};
-// Targets that find_package(regista) makes.
+// Targets that find_package(regista) defines.
 constexpr std::array<std::string_view, 2> regista_targets{"regista_sdk", "regista_testkit"};
 
 constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ_";
 
-// The name of the placeholder with which the text begins; empty: it begins with none.
+// Returns the name of the placeholder at the beginning of the text; empty if the text begins with no placeholder.
 std::string_view placeholder(std::string_view text) {
   if (!text.starts_with('@')) return {};
   const std::size_t end = text.find_first_not_of(letters, 1);
@@ -69,14 +68,11 @@ std::string wrong_with_new_name(std::string_view name) {
 std::string filled_in(std::string_view text, const PlaceholderValues& values) {
   std::string out;
   while (!text.empty()) {
-    const std::size_t plain = std::min(text.find('@'), text.size());
-    out += text.substr(0, plain);
-    text.remove_prefix(plain);
-    if (text.empty()) break;
     const std::string_view name = placeholder(text);
     if (name.empty()) {
-      out += '@';
-      text.remove_prefix(1);
+      const std::size_t next = std::min(text.find('@', 1), text.size());
+      out += text.substr(0, next);
+      text.remove_prefix(next);
       continue;
     }
     const auto found = values.find(name);

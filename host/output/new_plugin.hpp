@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a new plugin may be called, and its files, from a template. The templates are in share/regista/templates; their
-// README.md says which placeholders there are.
+// Checks the name of a new plugin, and makes its files from templates. The templates are in share/regista/templates;
+// README.md in that folder lists the placeholders.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,23 @@
 #include <string_view>
 #include <vector>
 
-#include "output/new_folder.hpp"
+#include "output/replaced_file.hpp"
 
 namespace regista::output {
 
-// Why a new plugin cannot have this name, which becomes an id, a folder, a file and a target of CMake: in one line that
-// names it; empty when it can.
+// Returns the reason why a new plugin cannot have this name, one line; empty for a valid name. The name becomes an id,
+// a folder, a file and a CMake target.
 std::string wrong_with_new_name(std::string_view name);
 
-// What a placeholder stands for, by its name: {"NAME", "my_ball"}.
+// The value of each placeholder by its name: {"NAME", "my_ball"}.
 using PlaceholderValues = std::map<std::string, std::string, std::less<>>;
 
-// The text with the value of NAME in the place of each @NAME@, in one pass: what a value says is left as it is. Throws
-// BadInput for a placeholder that has none.
+// Replaces each @NAME@ by the value of NAME, in one pass: placeholders in values are not replaced. Throws BadInput for
+// a placeholder without a value.
 std::string filled_in(std::string_view text, const PlaceholderValues& values);
 
-// All files of a new plugin, by name: those of the folders `shared`, `shared/<language>`, `<kind>`,
-// `<kind>/<language>`. Throws BadInput where one of these is not there or cannot be read.
+// Returns all files of a new plugin, by name, from the folders `shared`, `shared/<language>`, `<kind>`,
+// `<kind>/<language>`. Throws BadInput if one of these folders is missing or unreadable.
 std::vector<NewFile> files_from_template(const std::filesystem::path& templates, const std::string& kind,
                                          const std::string& language, const PlaceholderValues& values);
 

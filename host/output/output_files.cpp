@@ -10,20 +10,23 @@
 #include <cerrno>
 #include <system_error>
 
-#include "config/bad_input.hpp"
-#include "config/named_files.hpp"
-#include "output/own_kind.hpp"
-#include "study/recording_place.hpp"
+#include "config/errors.hpp"
+#include "config/overlay.hpp"
+#include "config/shipped.hpp"
+#include "output/replaced_file.hpp"
+#include "study/study.hpp"
 #include "texts/message.hpp"
 
 namespace regista::output {
 namespace {
 
 namespace fs = std::filesystem;
+using config::BadInput;
 
-// What SQLite keeps beside a file, and would take for its own.
-constexpr std::array<std::string_view, 3> companions{"-wal", "-shm", "-journal"};
-constexpr int longest_chain_of_links = 40;  // Linux follows as many
+// Endings of the files that SQLite keeps beside a database. SQLite would use any file with such a name.
+constexpr std::array companions{"-wal", "-shm", "-journal"};
+constexpr std::array<std::string_view, 1> recording_endings{".mcap"};
+constexpr int longest_chain_of_links = 40;  // same limit as in Linux
 
 fs::path absolute_path(const fs::path& named) {
   std::error_code error;
@@ -31,7 +34,7 @@ fs::path absolute_path(const fs::path& named) {
   return error ? named : out;
 }
 
-// A link to a file that is not there yet names that file all the same.
+// Returns the path with all links resolved, also links to a file that does not exist yet.
 fs::path where_it_leads(const fs::path& named) {
   std::error_code error;
   fs::path path = absolute_path(named);
@@ -44,15 +47,12 @@ fs::path where_it_leads(const fs::path& named) {
   return error ? path : out;
 }
 
-// The database that SQLite would take this file for a part of; empty when it is beside none.
+// Returns the database beside which SQLite would use a file with this name; empty if there is no such database.
 fs::path database_of(const fs::path& file) {
   const std::string name = file.string();
-  for (const std::string_view each : companions) {
-    if (!name.ends_with(each)) continue;
-    const fs::path database = name.substr(0, name.size() - each.size());
-    if (is_database(database)) return database;
-  }
-  return {};
+  const fs::path database = name.substr(0, std::min(name.rfind('-'), name.size()));
+  const bool beside = std::ranges::any_of(companions, [&](const char* each) { return name.ends_with(each); });
+  return beside && is_database(database) ? database : fs::path();
 }
 
 std::string shown(const fs::path& file) { return texts::one_line(file.string()); }
@@ -68,9 +68,13 @@ bool OutputFiles::Place::same(const Place& other) const {
   return path == other.path || (identity && identity == other.identity);
 }
 
+bool OutputFiles::Place::is_among(const std::vector<Place>& others) const {
+  return std::ranges::any_of(others, [this](const Place& each) { return same(each); });
+}
+
 OutputFiles::OutputFiles(const std::vector<GivenOption>& given, std::string work) : work_(std::move(work)) {
   const auto set = std::ranges::find(given, "--set", &GivenOption::name);
-  const std::vector<std::string> overrides = set == given.end() ? std::vector<std::string>() : set->values;
+  const auto overrides = set == given.end() ? std::vector<std::string>() : set->values;
   for (const GivenOption& option : given) {
     if (const Reads* const what = std::get_if<Reads>(&option.use)) read(option.values, *what, overrides);
     if (const Writes* const what = std::get_if<Writes>(&option.use)) {
@@ -80,11 +84,9 @@ OutputFiles::OutputFiles(const std::vector<GivenOption>& given, std::string work
 }
 
 void OutputFiles::read(const std::vector<std::string>& files, Reads what, const std::vector<std::string>& overrides) {
-  Named& named = reads_.emplace_back();
-  named.what = what;
-  named.overrides = overrides;
+  Named& named = reads_.emplace_back(Named{{}, what, overrides});
   for (const std::string& file : files) {
-    if (!file.empty()) named.files.push_back(absolute_path(file));
+    if (!file.empty()) named.files.push_back(absolute_path(config::own_or_shipped(file)));
   }
 }
 
@@ -98,43 +100,34 @@ std::vector<fs::path> OutputFiles::documents() const {
   return out;
 }
 
-std::vector<OutputFiles::Read> OutputFiles::all_reads() const {
-  std::vector<Read> out;
-  const auto add = [&](const fs::path& file) {
-    out.push_back({Place(file), fmt::format("a file that this {} reads", work_)});
-  };
+std::vector<OutputFiles::Place> OutputFiles::all_reads() const {
+  std::vector<Place> out;
+  for (const fs::path& file : documents()) out.emplace_back(file);
   std::error_code none;
-  for (const fs::path& file : documents()) add(file);
   for (const Named& named : reads_) {
-    switch (named.what) {
-      case Reads::documents:
-        break;  // above
-      case Reads::results:
-        for (const fs::path& file : named.files) {
-          add(file);
-          for (const std::string_view each : companions) add(file.string() + std::string(each));
+    if (named.what == Reads::documents) continue;  // documents() has returned these files
+    for (const fs::path& file : named.files) {
+      if (named.what == Reads::plugins) {
+        for (fs::directory_iterator each(file, none), end; !none && each != end; each.increment(none)) {
+          if (each->path().extension() == ".so") out.emplace_back(each->path());
         }
-        break;
-      case Reads::data:
-        for (const fs::path& file : named.files) add(file);
-        break;
-      case Reads::plugins:
-        for (const fs::path& folder : named.files) {
-          for (fs::directory_iterator each(folder, none), end; !none && each != end; each.increment(none)) {
-            if (each->path().extension() == ".so") add(each->path());
-          }
-        }
-        break;
+        continue;
+      }
+      out.emplace_back(file);
+      if (named.what != Reads::results) continue;
+      for (const char* each : companions) out.emplace_back(file.string() + each);
     }
   }
   return out;
 }
 
+std::string OutputFiles::what_is_read() const { return fmt::format("a file that this {} reads", work_); }
+
 void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
   if (file.empty() || ((what == Writes::page || what == Writes::drawing) && file == "-")) return;
-  if (what == Writes::sources) return;  // write_new_folder() touches nothing that is there
+  if (what == Writes::sources) return;  // write_new_folder() never touches existing files
   if (what == Writes::figures) {
-    folders_.push_back({who, Place(file), {".csv", ".gnuplot", ".svg", ".png"}});
+    folders_.push_back({who, Place(file), figure_endings});
     return;
   }
   Output output{who, Place(file), what};
@@ -142,77 +135,57 @@ void OutputFiles::write(const std::string& who, const fs::path& file, Writes wha
   if (std::ranges::none_of(outputs_, known)) outputs_.push_back(std::move(output));
 }
 
-void OutputFiles::write_beside(const fs::path& results, Page page) {
+void OutputFiles::write_beside(const fs::path& results, bool page, bool figures) {
   write("--results", results, Writes::results);
-  for (const std::string_view each : companions) {
-    outputs_.push_back({"the log of --results", Place(results.string() + std::string(each)), Writes::results});
-  }
-  folders_.push_back({"the recordings of --results", Place(study::recording_folder(results)), {".mcap"}});
-  if (page == Page::none) return;
-  // What stands there and is no page of ours is left alone, with a word: that is not this guard's.
+  for (const char* each : companions)
+    outputs_.push_back({"the log of --results", Place(results.string() + each), Writes::results});
+  folders_.push_back({"the recordings of --results", Place(study::recording_folder(results)), recording_endings});
+  if (!page) return;
+  // This class accepts an existing file that is no page of Regista. The code that writes the page does not replace such
+  // a file, and complains.
   outputs_.push_back({"the page of --results", Place(study::page_file(results)), Writes::results});
-  if (page == Page::with_figures) write("the figures of --results", study::figure_folder(results), Writes::figures);
+  if (figures) write("the figures of --results", study::figure_folder(results), Writes::figures);
 }
 
-void OutputFiles::check_reads(const Output& output, const std::vector<Read>& reads) {
-  for (const Read& each : reads) {
-    if (!each.place.same(output.place)) continue;
-    throw config::BadInput(fmt::format("{} {}: is {}", output.who, shown(output.place.named), each.what));
-  }
-}
-
-void OutputFiles::check_others(std::size_t output) const {
-  const Output& one = outputs_[output];
-  for (std::size_t i = 0; i < output; ++i) {
-    const Output& other = outputs_[i];
-    if (!one.place.same(other.place)) continue;
-    throw config::BadInput(fmt::format("{} and {}: both name {}", other.who, one.who, shown(one.place.named)));
-  }
-}
-
-void OutputFiles::check_folder(const Folder& folder, const std::vector<Output>& outputs,
-                               const std::vector<Read>& reads) {
+void OutputFiles::check_folder(const Folder& folder, const std::vector<Place>& reads) const {
   const auto written_there = [&](const fs::path& file) {
     return file.parent_path() == folder.place.path &&
            std::ranges::find(folder.endings, file.extension().string()) != folder.endings.end();
   };
-  for (const Output& each : outputs) {
+  for (const Output& each : outputs_) {
     if (each.place.same(folder.place))
-      throw config::BadInput(fmt::format("{} and {}: both name {}", each.who, folder.who, shown(folder.place.named)));
+      throw BadInput(fmt::format("{} and {}: both name {}", each.who, folder.who, shown(folder.place.named)));
     if (!written_there(each.place.path)) continue;
-    throw config::BadInput(
-        fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
+    throw BadInput(fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
   }
-  const auto refuse = [&](const fs::path& file, const Read& read) {
-    throw config::BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), read.what));
+  const auto refuse = [&](const fs::path& file) {
+    throw BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), what_is_read()));
   };
-  for (const Read& each : reads) {
-    if (written_there(each.place.path)) refuse(each.place.named, each);
+  for (const Place& each : reads) {
+    if (written_there(each.path)) refuse(each.named);
   }
-  // What is written over by its name may be a link to something else.
+  // A file in the folder may be a link to a file that the command reads.
   std::error_code failed;
   for (fs::directory_iterator entry(folder.place.path, failed), end; !failed && entry != end; entry.increment(failed)) {
     if (!written_there(folder.place.path / entry->path().filename())) continue;
     std::error_code none;
     if (!entry->is_symlink(none) && entry->hard_link_count(none) < 2) continue;
-    const Place place(entry->path());
-    for (const Read& each : reads) {
-      if (each.place.same(place)) refuse(entry->path(), each);
-    }
+    if (Place(entry->path()).is_among(reads)) refuse(entry->path());
   }
 }
 
 void OutputFiles::check_existing(const Output& output, bool force) {
   const fs::path& file = output.place.path;
   const auto refuse = [&](const std::string& why) {
-    throw config::BadInput(fmt::format("{} {}: {}", output.who, shown(output.place.named), why));
+    throw BadInput(fmt::format("{} {}: {}", output.who, shown(output.place.named), why));
   };
-  const auto cannot = [&](int error) { refuse("cannot be written there: " + std::generic_category().message(error)); };
+  const auto cannot = [&](int error) { refuse("cannot be written there: " + reason_of(error)); };
   const OwnKind kind = own_kind(output.what);
   std::error_code none;
   const fs::file_status now = fs::status(file, none);
   if (fs::is_directory(now)) cannot(EISDIR);
-  // Moved to its place when it is whole, or written where it is.
+  // A new file, and a file that is moved to its place when complete, need a writable folder. Other files must be
+  // writable themselves.
   const bool by_folder = kind.moved_to_its_place || !fs::exists(now);
   if (fs::exists(now) && kind.moved_to_its_place && !fs::is_regular_file(now)) refuse("it is no ordinary file");
   if (access(by_folder ? file.parent_path().c_str() : file.c_str(), W_OK) != 0) cannot(errno);
@@ -229,24 +202,27 @@ void OutputFiles::check_existing(const Output& output, bool force) {
 
 void OutputFiles::check(bool force) const {
   if (outputs_.empty() && folders_.empty()) return;
-  const std::vector<Read> reads = all_reads();
+  const std::vector<Place> reads = all_reads();
   const auto check_beside = [](const std::string& who, const Place& place) {
     const fs::path database = database_of(place.path);
     if (database.empty()) return;
-    throw config::BadInput(
+    throw BadInput(
         fmt::format("{} {}: SQLite would take it for a part of {}", who, shown(place.named), shown(database)));
   };
-  for (std::size_t i = 0; i < outputs_.size(); ++i) {
-    check_reads(outputs_[i], reads);
-    check_others(i);
-    if (outputs_[i].what != Writes::results) check_beside(outputs_[i].who, outputs_[i].place);
+  for (auto one = outputs_.begin(); one != outputs_.end(); ++one) {
+    const std::string name = shown(one->place.named);
+    if (one->place.is_among(reads)) throw BadInput(fmt::format("{} {}: is {}", one->who, name, what_is_read()));
+    const auto other =
+        std::find_if(outputs_.begin(), one, [&](const Output& each) { return each.place.same(one->place); });
+    if (other != one) throw BadInput(fmt::format("{} and {}: both name {}", other->who, one->who, name));
+    if (one->what != Writes::results) check_beside(one->who, one->place);
   }
   for (const Folder& each : folders_) {
     check_beside(each.who, each.place);
-    check_folder(each, outputs_, reads);
+    check_folder(each, reads);
   }
   for (const Output& each : outputs_) {
-    if (each.what != Writes::results) check_existing(each, force);  // those: campaign::Store
+    if (each.what != Writes::results) check_existing(each, force);  // campaign::Store checks results
   }
 }
 

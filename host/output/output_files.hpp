@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The guard of everything that is written to files. A command's outputs are never written over what it reads, over its
-// results, over what SQLite keeps beside a database, or over one another, by whatever path or link they are named; over
-// files of another kind not at all, or only when --force is given. Paths are taken as they are when they are named
-// here: before a command goes to another folder.
+// Checks the files that a command writes. No output may replace a file that the command reads, the command's results, a
+// file that SQLite keeps beside a database, or another output, even if another path or a link names that file. Some
+// outputs may replace a file of another kind only with --force, others never. OutputFiles resolves relative paths when
+// it gets them, so a command must pass all paths before it changes its folder.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,57 +20,56 @@ namespace regista::output {
 
 class OutputFiles {
  public:
-  // All that the given options of a command name; those of --set lead to files, too. work: "match", for messages.
+  // Takes the files that the given options of a command name, also files in values of --set. work: noun for messages:
+  // "match".
   OutputFiles(const std::vector<GivenOption>& given, std::string work);
 
-  // More of the same, which no option names.
+  // Adds files that the command reads although no option names them.
   void read(const std::vector<std::string>& files, Reads what, const std::vector<std::string>& overrides = {});
-  // who: as messages begin, "--csv" or the same in words. A name that was written before keeps its first place.
+  // Adds a file that the command writes. who: the beginning of messages: an option such as "--csv", or a description.
+  // Does nothing if the same file was already added with the same use.
   void write(const std::string& who, const std::filesystem::path& file, Writes what);
-  // Results of a study: also what stands beside them when it ends, as far as it is wished.
-  enum class Page { none, alone, with_figures };
-  void write_beside(const std::filesystem::path& results, Page page);
+  // Adds the results of a study and the files beside them: the files of SQLite, the recordings, and if wanted the page
+  // and its figures. Figures exist only together with the page.
+  void write_beside(const std::filesystem::path& results, bool page, bool figures);
 
-  // All documents that are read: those that were named, and those that they lead to.
+  // Returns all documents that the command reads: the named documents and, recursively, the documents that they name.
   std::vector<std::filesystem::path> documents() const;
 
-  // Throws BadInput for the first output that cannot be allowed, or not be written where it is.
+  // Throws BadInput at the first output that is not allowed or that cannot be written to its place.
   void check(bool force) const;
 
  private:
-  // A file as it was named, and what the name leads to: two names are the same file when one of these is.
+  // A file: its given name and its resolved path. Two places are the same file if their paths or identities are equal.
   struct Place {
     explicit Place(const std::filesystem::path& file);
     bool same(const Place& other) const;
+    bool is_among(const std::vector<Place>& others) const;
     std::filesystem::path named, path;
-    std::optional<std::pair<std::uint64_t, std::uint64_t>> identity;  // device and number; none: there is no such file
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> identity;  // device and inode number; missing: no such file
   };
-  // As named. What it leads to is looked for when something is to be checked against it: most commands write nothing.
+  // Files that the command reads, with unresolved links. Only check() and documents() resolve the links, because most
+  // commands write nothing and need no check.
   struct Named {
-    std::vector<std::filesystem::path> files;  // absolute
+    std::vector<std::filesystem::path> files;  // absolute paths
     Reads what;
     std::vector<std::string> overrides;
-  };
-  struct Read {
-    Place place;
-    std::string what;  // "a file that this match reads"
   };
   struct Output {
     std::string who;
     Place place;
     Writes what;
   };
-  // A folder into which files of these endings are written, by names that follow from the work.
+  // A folder in which the command will write files with these endings. The names of these files are not known yet.
   struct Folder {
     std::string who;
     Place place;
-    std::vector<std::string_view> endings;
+    std::span<const std::string_view> endings;
   };
 
-  std::vector<Read> all_reads() const;
-  static void check_reads(const Output& output, const std::vector<Read>& reads);
-  void check_others(std::size_t output) const;
-  static void check_folder(const Folder& folder, const std::vector<Output>& outputs, const std::vector<Read>& reads);
+  std::vector<Place> all_reads() const;
+  std::string what_is_read() const;  // for messages: "a file that this match reads"
+  void check_folder(const Folder& folder, const std::vector<Place>& reads) const;
   static void check_existing(const Output& output, bool force);
 
   std::string work_;

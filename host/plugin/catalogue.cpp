@@ -8,9 +8,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "plugin/descriptor.hpp"
-#include "plugin/shared_object.hpp"
-#include "plugin/survey.hpp"
 #include "texts/message.hpp"
 
 namespace regista::plugin {
@@ -18,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The shared objects of a folder, by name. `reason`: why it cannot be read; a folder that does not exist is empty.
+// Returns the shared objects in a folder, by name. For an unreadable folder, writes the reason to `reason`.
 std::vector<fs::path> shared_objects(const fs::path& folder, std::string& reason) {
   std::vector<fs::path> out;
   std::error_code error;
@@ -36,41 +33,39 @@ std::string described(const Found& plugin) {
   return fmt::format("{} ({}, {})", plugin.file.string(), plugin.descriptor->version, plugin.descriptor->build_tag);
 }
 
-// The ids of the plugins of this kind, sorted, each once.
+// Returns the ids of the plugins of this kind, sorted and without duplicates.
 std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind) {
   std::vector<std::string> out;
   for (const Found& plugin : plugins) {
-    if (implements(plugin, kind)) out.emplace_back(plugin.descriptor->id);
+    if (plugin.description->implements(kind)) out.emplace_back(plugin.descriptor->id);
   }
   std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 
-// `unknown assigner "gredy"; nearest: "greedy"; known: greedy, hungarian`
+// Returns text such as `unknown assigner "gredy"; nearest: "greedy"; known: greedy, hungarian`.
 std::string unknown(const std::string& id, int kind, const std::vector<std::string>& known) {
   return texts::unknown(kind_name(kind), id, "", known) + (known.empty() ? "; there is none at all" : "");
 }
 
 std::string kinds_in_words(const Found& plugin) {
-  std::string out;
-  for (const int kind : kinds(plugin)) {
-    if (kind == REGISTA_KIND_MAILBOX) continue;
-    if (!out.empty()) out += " and ";
-    out += kind_with_article(kind);
+  std::vector<std::string_view> out;
+  for (const int kind : plugin.description->kinds()) {
+    if (kind != REGISTA_KIND_MAILBOX) out.push_back(kind_with_article(kind));
   }
-  return out;
+  return fmt::format("{}", fmt::join(out, " and "));
 }
 
-// `plugin "voronoi" is a positioner, not an assigner`
+// Returns text such as `plugin "voronoi" is a positioner, not an assigner`.
 std::string another_kind(const Found& plugin, int kind) {
   return fmt::format("plugin \"{}\" is {}, not {}", plugin.descriptor->id, kinds_in_words(plugin),
                      kind_with_article(kind));
 }
 
-Surveyed looked_at_here(PluginFile& file) {
+ScannedFile looked_at_here(PluginFile& file) {
   const SharedObject& object = file.load();
-  Surveyed out{{}, object.refusal, object.remark};
+  ScannedFile out{{}, object.refusal, object.remark};
   for (const regista_descriptor* each : object.descriptors) {
     out.plugins.push_back(std::make_shared<const Description>(*each));
   }
@@ -93,7 +88,7 @@ Catalogue::Catalogue(std::vector<fs::path> folders) : folders_(std::move(folders
     if (!reasons[i].empty()) refused_.push_back({folders_[i], reasons[i]});
     for (const fs::path& path : files_of[i]) {
       const PluginFile* const file = known(path)->object.get();
-      if (std::ranges::find(added, file) != added.end()) continue;  // reached a second time
+      if (std::ranges::find(added, file) != added.end()) continue;  // the file was added under another name
       added.push_back(file);
       add(path);
     }
@@ -138,7 +133,8 @@ std::vector<fs::path> Catalogue::search_path(std::span<const fs::path> options, 
   return out;
 }
 
-// A file is the same whatever it is called; what does not exist is known by its name.
+// Returns the examined file at this path, or null if the file has not been examined. Also finds a file that was
+// examined under another name. A file that does not exist has only one name.
 Catalogue::File* Catalogue::known(const fs::path& path) const {
   const FileStamp now = stamp_of(path);
   for (File& file : files_) {
@@ -158,9 +154,9 @@ void Catalogue::look_at(std::span<const fs::path> paths) const {
     files_.emplace_back().object = std::make_shared<PluginFile>(path);
     unknown.push_back(path);
   }
-  std::vector<Surveyed> found;
+  std::vector<ScannedFile> found;
   if (looking_ == Looking::in_a_child) {
-    found = survey(unknown);
+    found = scan_files(unknown);
   } else {
     for (std::size_t i = 0; i < unknown.size(); ++i) found.push_back(looked_at_here(*files_[before + i].object));
   }
@@ -177,12 +173,10 @@ void Catalogue::look_at(std::span<const fs::path> paths) const {
 
 const Found& Catalogue::find(const config::PluginUse& use, int kind, std::uint32_t subject) const {
   const Found& found = use.file.empty() ? find_searched(use, kind) : find_pinned(use, kind);
-  if (subject != 0) {
-    const std::uint32_t subjects = plugin::subjects(found);
-    if ((subjects & subject) == 0) {
-      throw config::Error(use.where, fmt::format("predictor \"{}\" models {}, not {}", use.plugin,
-                                                 subject_names(subjects), subject_names(subject)));
-    }
+  const std::uint32_t subjects = found.description->subjects();
+  if (subject != 0 && (subjects & subject) == 0) {
+    throw config::Error(use.where, fmt::format("predictor \"{}\" models {}, not {}", use.plugin,
+                                               subject_names(subjects), subject_names(subject)));
   }
   return found;
 }
@@ -194,7 +188,7 @@ const Found& Catalogue::find_pinned(const config::PluginUse& use, int kind) cons
   const Found* other = nullptr;
   for (const Found& plugin : file.plugins) {
     if (plugin.descriptor->id != use.plugin) continue;
-    if (implements(plugin, kind)) return plugin;
+    if (plugin.description->implements(kind)) return plugin;
     other = &plugin;
   }
   const std::string reason =
@@ -207,7 +201,7 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   const Found* other = nullptr;
   for (const Found& plugin : plugins_) {
     if (plugin.descriptor->id != use.plugin) continue;
-    if (implements(plugin, kind)) {
+    if (plugin.description->implements(kind)) {
       found.push_back(&plugin);
     } else {
       other = &plugin;
@@ -233,7 +227,8 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   } else {
     message = unknown(use.plugin, kind, names);
   }
-  message += fmt::format("; searched: {}", where_searched());
+  message +=
+      fmt::format("; searched: {}", folders_.empty() ? "no folder" : fmt::format("{}", fmt::join(searched(), ", ")));
   if (!refused_.empty()) {
     message += "; refused:";
     for (const Refused& refused : refused_) message += fmt::format(" {},", to_string(refused));
@@ -251,11 +246,6 @@ std::vector<std::string> Catalogue::searched() const {
     out.push_back(folder.string() + (fs::exists(folder, error) ? "" : " (does not exist)"));
   }
   return out;
-}
-
-std::string Catalogue::where_searched() const {
-  if (folders_.empty()) return "no folder";
-  return fmt::format("{}", fmt::join(searched(), ", "));
 }
 
 }  // namespace regista::plugin

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
-#include "plugin/descriptor.hpp"
 #include "texts/message.hpp"
 
 namespace regista::plugin {
@@ -50,6 +50,71 @@ std::string line(const ParameterInfo& p) {
   return fmt::format("{}\n      {}\n", out, p.doc);
 }
 
+bool one_of(char c, std::string_view characters) { return characters.find(c) != std::string_view::npos; }
+
+struct Chapter {
+  int kind;
+  std::string_view title, question;
+};
+
+constexpr Chapter chapters[] = {
+    {REGISTA_KIND_PREDICTOR, "Predictors", "What is known of the own pose, the ball, the opponents or the teammates?"},
+    {REGISTA_KIND_CONTEXT, "Contexts", "Does this situation hold now?"},
+    {REGISTA_KIND_POSITIONER, "Positioners", "Which points of the field are worth being at?"},
+    {REGISTA_KIND_UTILITY, "Utilities", "How well would each robot do each task?"},
+    {REGISTA_KIND_ASSIGNER, "Assigners", "Who takes which task?"},
+    {REGISTA_KIND_BEHAVIOUR, "Behaviours", "How does a robot act that has this role?"},
+    {REGISTA_KIND_SENDER, "Senders", "Is this moment worth one of the team's packets?"},
+};
+
+std::string row(const ParameterInfo& p) {
+  const std::string range = p.range.empty() ? p.type : p.range;
+  const std::string tuned = !p.tunable ? "" : p.log_scale ? "yes, log" : "yes";
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, as_text(range),
+                     p.initial.empty() ? "none" : as_code(p.initial), tuned, as_text(p.doc));
+}
+
+std::string section(const Found& plugin) {
+  const Info about = info(plugin);
+  std::string out = fmt::format("\n### {}\n\n{}.", about.id, as_paragraph(about.summary));
+  if (!about.subjects.empty()) out += fmt::format(" Models: {}.", about.subjects);
+  if (about.negotiates) out += " Robots may show the same task while they have not agreed yet.";
+  out += fmt::format(" Licence: {}.\n", as_text(about.licence));
+  if (about.parameters.empty()) {
+    out += "\nNo parameters.\n";
+  } else {
+    out += "\n| parameter | range | default | tunable | meaning |\n|---|---|---|---|---|\n";
+    for (const ParameterInfo& p : about.parameters) out += row(p);
+  }
+  if (about.metrics.empty()) return out;
+  out += "\n| metric | number of a match | meaning |\n|---|---|---|\n";
+  for (const DeclaredMetric& each : about.metrics) {
+    out += fmt::format("| `{}` | {} | {} |\n", each.name, as_text(how_told(each)), as_text(each.doc));
+  }
+  return out;
+}
+
+config::PluginParameter declaration(const regista_parameter& declared) {
+  config::PluginParameter out;
+  out.name = declared.name;
+  using Type = config::PluginParameter::Type;
+  constexpr std::array types{Type::real, Type::integer, Type::boolean, Type::choice, Type::text, Type::file};
+  static_assert(REGISTA_TYPE_REAL == 1 && REGISTA_TYPE_FILE == types.size());
+  out.type = types.at(static_cast<std::size_t>(declared.type) - 1);
+  out.minimum = declared.minimum;
+  out.maximum = declared.maximum;
+  out.unit = declared.unit;
+  out.doc = declared.doc;
+  out.initial = declared.initial;
+  if (declared.initial_text != nullptr) out.initial_text = declared.initial_text;
+  if (declared.type == REGISTA_TYPE_CHOICE) {
+    out.choices.assign(declared.choices, declared.choices + declared.choice_count);
+  }
+  out.tunable = (declared.flags & REGISTA_PARAMETER_TUNABLE) != 0;
+  out.log_scale = (declared.flags & REGISTA_PARAMETER_LOG_SCALE) != 0;
+  return out;
+}
+
 }  // namespace
 
 std::string how_told(const DeclaredMetric& metric) {
@@ -67,11 +132,11 @@ Info info(const Found& plugin) {
   out.build_tag = d.build_tag;
   out.abi = fmt::format("{}.{}", d.abi_major, d.abi_minor);
   out.file = plugin.file.string();
-  for (const int kind : kinds(plugin)) out.kinds.emplace_back(kind_name(kind));
-  out.subjects = subject_names(subjects(plugin));
-  out.negotiates = (assigner_flags(plugin) & REGISTA_ASSIGNER_NEGOTIATES) != 0;
+  for (const int kind : plugin.description->kinds()) out.kinds.emplace_back(kind_name(kind));
+  out.subjects = subject_names(plugin.description->subjects());
+  out.negotiates = (plugin.description->assigner_flags() & REGISTA_ASSIGNER_NEGOTIATES) != 0;
   for (std::uint32_t i = 0; i < d.parameter_count; ++i) out.parameters.push_back(info(parameter(d, i)));
-  out.metrics = metrics(plugin);
+  out.metrics = plugin.description->metrics();
   return out;
 }
 
@@ -103,7 +168,7 @@ std::string list_text(const Catalogue& catalogue) {
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
     for (const Found& plugin : catalogue.plugins()) {
       const regista_descriptor& d = *plugin.descriptor;
-      if (kind == REGISTA_KIND_MAILBOX || !implements(plugin, kind)) continue;
+      if (kind == REGISTA_KIND_MAILBOX || !plugin.description->implements(kind)) continue;
       out += fmt::format("{:<10}  {:<{}}  {}  {}  ({})\n", kind_name(kind), d.id, width, d.version, d.summary,
                          plugin.file.string());
     }
@@ -112,6 +177,75 @@ std::string list_text(const Catalogue& catalogue) {
   for (const Refused& refused : catalogue.refused()) out += fmt::format("refused: {}\n", to_string(refused));
   for (const Refused& remarked : catalogue.remarked()) out += fmt::format("remark: {}\n", to_string(remarked));
   for (const std::string& folder : catalogue.searched()) out += fmt::format("searched: {}\n", folder);
+  return out;
+}
+
+std::string as_text(std::string_view text) {
+  const bool paired = std::ranges::count(text, '`') % 2 == 0 && text.find("``") == std::string_view::npos;
+  bool in_code = false;
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '`' && paired) in_code = !in_code;
+    const bool begins_tag = c == '<' && i + 1 < text.size() && text[i + 1] != ' ';
+    const bool escaped = c == '|' || (c == '`' && !paired) || (!in_code && (begins_tag || one_of(c, "\\*[]")));
+    if (escaped) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+std::string as_paragraph(std::string_view text) {
+  std::string out;
+  if (!text.empty() && one_of(text.front(), "#+-=~>")) out += '\\';
+  return out += as_text(text);
+}
+
+std::string as_code(std::string_view text) {
+  std::size_t longest = 0, run = 0;
+  std::string inside;
+  for (const char c : text) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
+    if (c == '|') inside += '\\';  // GitHub ends a table cell at `|`, even within code
+    inside += c;
+  }
+  return fmt::format("{0}{1}{2}{1}{0}", std::string(longest + 1, '`'), longest == 0 ? "" : " ", inside);
+}
+
+std::string reference_text(const Catalogue& catalogue) {
+  std::vector<const Found*> plugins;
+  for (const Found& plugin : catalogue.plugins()) plugins.push_back(&plugin);
+  std::ranges::stable_sort(plugins, {}, [](const Found* plugin) { return std::string_view(plugin->descriptor->id); });
+
+  std::string out =
+      "# Plugins\n\nWritten by `regista plugin reference` from what the plugins declare about themselves. How to write "
+      "one is said in\n[plugins.md](plugins.md).\n";
+  for (const Chapter& chapter : chapters) {
+    out += fmt::format("\n## {}\n\n{}\n", chapter.title, chapter.question);
+    for (const Found* plugin : plugins) {
+      if (plugin->description->implements(chapter.kind)) out += section(*plugin);
+    }
+  }
+  return out;
+}
+
+std::vector<config::PluginDeclaration> declarations(std::span<const Found> plugins) {
+  std::vector<config::PluginDeclaration> out;
+  for (const Found& plugin : plugins) {
+    const regista_descriptor& d = *plugin.descriptor;
+    for (const int kind : plugin.description->kinds()) {
+      const auto same = [&](const config::PluginDeclaration& other) {
+        return other.id == d.id && other.kind == kind_name(kind);
+      };
+      if (kind == REGISTA_KIND_MAILBOX || std::ranges::any_of(out, same)) continue;
+      config::PluginDeclaration& next = out.emplace_back();
+      next.id = d.id;
+      next.kind = kind_name(kind);
+      next.summary = d.summary;
+      for (std::uint32_t i = 0; i < d.parameter_count; ++i) next.parameters.push_back(declaration(parameter(d, i)));
+    }
+  }
   return out;
 }
 

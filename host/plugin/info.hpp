@@ -1,42 +1,65 @@
 // SPDX-License-Identifier: MIT
-// What there is to say about plugins: the texts that `regista plugin list` and `regista plugin info` print.
+// Describes the declarations of plugins, for `regista plugin list`, `regista plugin info`, docs/plugin-reference.md,
+// and the schema and `show` of the configuration.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "config/declaration.hpp"
 #include "plugin/catalogue.hpp"
+#include "plugin/description.hpp"
 
 namespace regista::plugin {
 
-// What a plugin declares, in words. Numbers are written as short as they can be read back exactly.
+// A parameter as text. Each number has the shortest form that reads as exactly this number.
 struct ParameterInfo {
   std::string name, type, unit, doc;
-  std::string initial;  // default, a text in quotes; empty for a file: none
-  std::string range;    // "0.5 to 20 m", or the choices "first, best"; empty where there is none
+  std::string initial;  // default value; texts are in quotes; empty for a file, which has no default
+  std::string range;    // "0.5 to 20 m", or the choices "first, best"; empty for other types
   bool tunable = false, log_scale = false;
 };
 
 struct Info {
   std::string id, version, summary, licence, build_tag;
-  std::string abi;  // "1.0"
+  std::string abi;  // version of the ABI, such as "1.0"
   std::string file;
-  std::vector<std::string> kinds;  // "assigner", ...
-  std::string subjects;            // of a predictor: "ball, opponents"
-  bool negotiates = false;         // of an assigner
+  std::vector<std::string> kinds;  // names of the kinds, such as "assigner"
+  std::string subjects;            // subjects of a predictor: "ball, opponents"
+  bool negotiates = false;         // true: an assigner whose robots negotiate
   std::vector<ParameterInfo> parameters;
   std::vector<DeclaredMetric> metrics;
 };
 
 Info info(const Found& plugin);
 
-// "sum, s"
+// Returns how the values of a metric are combined, and the unit of the metric: "sum, s".
 std::string how_told(const DeclaredMetric& metric);
 
-// A page about one plugin; lines end with a newline.
+// Returns a text of several lines about one plugin. Each line ends with a newline.
 std::string info_text(const Found& plugin);
 
-// A line for each plugin, by kind and then in the catalogue's order; then what was refused, and where was looked.
+// Lists the plugins by kind and then in the catalogue's order, then the refused files, then the searched folders.
 std::string list_text(const Catalogue& catalogue);
+
+// Escapes a plugin's text for a line or table cell of Markdown. The result has no link, picture, tag, emphasis or end
+// of a cell (CommonMark 0.31, section 2.4; GitHub Flavored Markdown, section 4.10). Text between backticks stays code.
+std::string as_text(std::string_view text);
+
+// Escapes like as_text(), and also escapes characters that would begin a heading or a list.
+std::string as_paragraph(std::string_view text);
+
+// Returns a text as Markdown code. More backticks enclose the code than any sequence of backticks in the text has.
+std::string as_code(std::string_view text);
+
+// Returns a Markdown page about all plugins, by kind and then by id, with a table of parameters for each plugin. The
+// page is equal on all machines, because it names no files and no builds.
+std::string reference_text(const Catalogue& catalogue);
+
+// Returns one declaration for each plugin and kind, in the given order. The JSON Schema of a team and `config show` use
+// them. Leaves out mailboxes, because a team names no mailboxes. Keeps the first of plugins with equal id and kind.
+std::vector<config::PluginDeclaration> declarations(std::span<const Found> plugins);
 
 }  // namespace regista::plugin

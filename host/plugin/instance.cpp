@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "plugin/instance.hpp"
 
-#include <fmt/format.h>
-
 #include <cassert>
-#include <cstring>
 #include <exception>
 #include <stdexcept>
 
-#include "texts/visible.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
@@ -22,7 +19,7 @@ const regista_host host_without_radio{sizeof(regista_host),
                                       [](void*) -> std::uint32_t { return 0; },
                                       [](void*, const char*) -> const void* { return nullptr; }};
 
-// What a plugin wrote, as it may be shown; it may lack its end.
+// Returns the plugin's error text in printable form. Reads a text without a terminating zero, too.
 std::string said(const regista_error& error) {
   const std::string_view text(error.text, strnlen(error.text, sizeof error.text));
   return text.empty() ? "failed without saying why" : texts::visible(text);
@@ -51,21 +48,21 @@ Inputs inputs_of_create(const regista_environment& environment, const regista_ho
 
 Instance::Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
                    const regista_host* host, const Caller* caller)
-    : rooms_(caller == nullptr ? nullptr : caller->rooms),
+    : buffers_(caller == nullptr ? nullptr : caller->rooms),
       caller_(caller),
-      compares_inputs_(caller != nullptr && caller->noting.look >= Look::often),
+      compares_inputs_(caller != nullptr && caller->tracing.look >= Inspection::often),
       plugin_(plugin),
       environment_(environment),
       noted_id_(note_of_id(plugin.descriptor->id)) {
-  if (caller != nullptr && caller->noting.hides && plugin.descriptor->reads != REGISTA_READS_ALL) {
+  if (caller != nullptr && caller->tracing.hides && plugin.descriptor->reads != REGISTA_READS_ALL) {
     declared_reads_ = std::make_unique<DeclaredReads>(plugin.descriptor->reads);
   }
-  if (rooms_ == nullptr) {
-    own_rooms_ = std::make_unique<AnswerRooms>();
-    rooms_ = own_rooms_.get();
+  if (buffers_ == nullptr) {
+    own_rooms_ = std::make_unique<AnswerBuffers>();
+    buffers_ = own_rooms_.get();
   }
-  note_ = caller != nullptr && caller->noting.note != nullptr ? caller->noting.note : &rooms_->unheard;
-  note_->instance = nullptr;  // an earlier one may have stood at this address
+  note_ = caller != nullptr && caller->tracing.note != nullptr ? caller->tracing.note : &buffers_->unheard;
+  note_->instance = nullptr;  // makes begin() write the id: an earlier instance may have had this address
   assert(parameters.values().size() == plugin.descriptor->parameter_count);
   environment_.size = sizeof environment_;
   if (caller != nullptr) caller->note();
@@ -74,20 +71,20 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
     descriptor_ = &loaded(plugin_);
   } catch (const std::runtime_error& error) {
     end();
-    fail("open", error.what());
+    fail_with("open", error.what());
   }
   end();
   if (host == nullptr) host = &host_without_radio;
   const Inputs inputs = compares_inputs_ ? inputs_of_create(environment_, *host, parameters) : Inputs();
   mend();
-  rooms_->error.data()->text[0] = '\0';
+  buffers_->error.data()->text[0] = '\0';
   begin("create");
   try {
     const std::span<const regista_value> values = parameters.values();
     raw_ = descriptor_->create(
         &environment_, host,
         {values.data(), static_cast<std::uint32_t>(values.size()), static_cast<std::uint32_t>(sizeof(regista_value))},
-        rooms_->error.data());
+        buffers_->error.data());
   } catch (...) {
     threw("create");
   }
@@ -98,14 +95,14 @@ Instance::Instance(const Found& plugin, const Parameters& parameters, const regi
   }
   if (!wrong.empty()) {
     if (raw_ != nullptr) destroy();
-    fail("create", wrong);
+    fail_with("create", wrong);
   }
   if (raw_ != nullptr) return;
-  // A plugin never learns what its files are called.
-  std::string message = said(*rooms_->error.data());
+  // The host adds the names of parameter files to the message, because the plugin knows only the contents of the files.
+  std::string message = said(*buffers_->error.data());
   for (const FileUsed& file : parameters.files())
     message += fmt::format("; {}: {}", file.parameter, file.path.string());
-  fail("create", message);
+  fail_with("create", message);
 }
 
 Instance::~Instance() { destroy(); }
@@ -115,7 +112,7 @@ void Instance::destroy() {
   begin("destroy");
   descriptor_->destroy(raw_);
   end();
-  damage();  // nobody can be told any more, but the state is what it was
+  damage();  // restores the floating-point state; this function ignores the returned description
 }
 
 void Instance::reset(std::uint64_t seed) {
@@ -123,7 +120,7 @@ void Instance::reset(std::uint64_t seed) {
   call("reset", descriptor_->reset, seed);
 }
 
-void Instance::fail(const char* call, std::string message) const {
+void Instance::fail_with(const char* call, std::string message) const {
   throw Failure(plugin_, caller_, call, std::move(message));
 }
 
@@ -135,46 +132,44 @@ FloatingPointState Instance::restore_floating_point() const {
 
 void Instance::mend() {
   restore_floating_point();
-  rooms_->error.mend();
+  buffers_->error.mend();
 }
 
 std::string Instance::damage() const {
   const FloatingPointState left = restore_floating_point();
-  if (const Overflow overflow = rooms_->error.overflow(); overflow != Overflow::none) {
+  if (const Overflow overflow = buffers_->error.overflow(); overflow != Overflow::none) {
     return where_it_wrote(overflow, "the error's text");
   }
   return left.changed_from(floating_point_);
 }
 
 void Instance::check(const char* name, const Inputs& inputs) const {
-  if (const std::string changed = inputs.changed(); !changed.empty())
-    fail(name, fmt::format("{}{}", changed_its_input, changed));
+  if (const std::string changed = inputs.changed(); !changed.empty()) fail(name, "{}{}", changed_its_input, changed);
 }
 
 void Instance::check(const char* call, Overflow overflow, const char* what) const {
-  if (overflow != Overflow::none) fail(call, where_it_wrote(overflow, what));
+  if (overflow != Overflow::none) fail_with(call, where_it_wrote(overflow, what));
 }
 
 void Instance::examine(const char* name, std::int32_t status) const {
-  if (std::string what = damage(); !what.empty()) fail(name, std::move(what));
+  if (std::string what = damage(); !what.empty()) fail_with(name, std::move(what));
   if (status == REGISTA_OK) return;
-  if (status != REGISTA_FAILED) fail(name, fmt::format("returned {}, which means nothing", status));
-  fail(name, said(*rooms_->error.data()));
+  if (status != REGISTA_FAILED) fail(name, "returned {}, which means nothing", status);
+  fail_with(name, said(*buffers_->error.data()));
 }
 
 void Instance::threw(const char* name) const {
-  if (const std::string what = damage(); !what.empty()) fail(name, what);
+  if (const std::string what = damage(); !what.empty()) fail_with(name, what);
   constexpr std::size_t longest = 500;  // characters
   try {
     throw;
   } catch (const std::exception& exception) {
-    fail(name, fmt::format("let an exception cross the plugin's boundary: {}",
-                           texts::visible_at_most(exception.what(), longest)));
+    fail(name, "let an exception cross the plugin's boundary: {}", texts::visible_at_most(exception.what(), longest));
   } catch (...) {
     fail(name, "let an exception cross the plugin's boundary");
   }
 }
 
-void Instance::has_no_table(int kind) const { fail("table", fmt::format("is not {}", kind_with_article(kind))); }
+void Instance::has_no_table(int kind) const { fail("table", "is not {}", kind_with_article(kind)); }
 
 }  // namespace regista::plugin

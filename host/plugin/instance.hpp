@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// One living instance of a plugin: created, reset, called, destroyed. What it fails at becomes a Failure that names
-// plugin, robot and tick. The typed calls of each kind stand in the header of that kind; several of them may share one
-// instance.
+// Creates, resets, calls and destroys an instance of a plugin. An error of the plugin becomes a Failure with plugin,
+// robot and tick. kinds.hpp has the typed calls of each kind. Several kinds may share an instance.
 #pragma once
+
+#include <fmt/format.h>
 
 #include <array>
 #include <cstddef>
@@ -13,86 +14,79 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
-#include <utility>
 
 #include <regista/abi.h>
 
-#include "plugin/answer_rooms.hpp"
-#include "plugin/call_note.hpp"
-#include "plugin/call_trail.hpp"
-#include "plugin/declared_reads.hpp"
-#include "plugin/descriptor.hpp"
-#include "plugin/failure.hpp"
-#include "plugin/floating_point_state.hpp"
-#include "plugin/found.hpp"
-#include "plugin/guarded_room.hpp"
-#include "plugin/inputs.hpp"
+#include "plugin/answer_buffers.hpp"
+#include "plugin/call_inputs.hpp"
+#include "plugin/description.hpp"
+#include "plugin/fatal_signal.hpp"
 #include "plugin/parameters.hpp"
+#include "plugin/process_state.hpp"
 
 namespace regista::plugin {
 
 class alignas(64) Instance {
  public:
-  // The environment's spans, `host` and `caller` must outlive the instance. host null: a host that refuses every offer.
-  // caller null: failures name no robot. Throws Failure when the plugin refuses to be created.
+  // The spans in `environment`, and `host` and `caller`, must outlive the instance. If `host` is null, every offer is
+  // refused. If `caller` is null, failures name no robot. Throws Failure if the plugin cannot be loaded or created.
   Instance(const Found& plugin, const Parameters& parameters, const regista_environment& environment,
            const regista_host* host, const Caller* caller);
   ~Instance();
   Instance(const Instance&) = delete;
   Instance& operator=(const Instance&) = delete;
 
-  // The beginning of a match. Must come once before any call of a kind, and may come again at any time.
+  // Begins a match. The caller must call reset() before any call of a kind, and may call it again at any time.
   void reset(std::uint64_t seed);
 
-  bool implements(int kind) const { return plugin::implements(plugin_, kind); }
+  bool implements(int kind) const { return plugin_.description->implements(kind); }
   const Found& plugin() const { return plugin_; }
-  AnswerRooms& rooms() const { return *rooms_; }
-  // As given at create; its spans belong to whoever gave them.
+  AnswerBuffers& rooms() const { return *buffers_; }
   const regista_environment& environment() const { return environment_; }
 
-  // The frame as this plugin is to see it: without what it does not declare to read where inputs are compared, as it is
-  // elsewhere. Null stays null. Valid until the next.
+  // Returns the frame that the plugin gets: `frame`, or a reduced copy (see CallTracing::hides). For null, returns
+  // null. The result is valid until the next call of shown().
   const regista_frame* shown(const regista_frame* frame) {
-    if (declared_reads_ == nullptr || !rooms_->closely || frame == nullptr) [[likely]]
+    if (declared_reads_ == nullptr || !buffers_->strict || frame == nullptr) [[likely]]
       return frame;
     return declared_reads_->of(*frame);
   }
 
-  // Calls `function` of a table of this plugin; `name` is the call's, for the note and the Failure. Fails when the
-  // plugin says so, changed the floating-point state, which is restored, or wrote outside of the room for its error's
-  // text; and where inputs are compared when it changed one: `add` tells an Inputs& which of the arguments they are. It
-  // captures nothing, so that the usual call, which does not need it, does not pay for it.
+  // Calls `function` of one of the plugin's tables; `name` is the name of the call in notes and failures. Throws
+  // Failure if the plugin reports a failure, changed the floating-point state (which is restored), wrote outside of the
+  // buffer for its error text, or changed an input. `add` adds the input arguments to an Inputs&. It must capture
+  // nothing, so that it costs nothing when inputs are not compared.
   template <class Add, std::size_t Size, class Function, class... Arguments>
   void call_with(Add add, const char (&name)[Size], Function function, Arguments... arguments) {
     static_assert(std::is_empty_v<Add>);
-    if (rooms_->closely) [[unlikely]]
+    if (buffers_->strict) [[unlikely]]
       call_closely(add, name, function, arguments...);
     else
       invoke(name, function, arguments...);
   }
 
-  // The same of a call without inputs.
+  // Like call_with(), for a call without inputs.
   template <std::size_t Size, class Function, class... Arguments>
   void call(const char (&name)[Size], Function function, Arguments... arguments) {
     call_with([](Inputs&, const Arguments&...) {}, name, function, arguments...);
   }
 
-  // A room for the answer to the next call.
+  // Returns a buffer for the answer to the next call.
   template <class T>
-  T* open(GuardedRoom<T>& room, std::size_t count) const {
+  T* open(GuardedBuffer<T>& room, std::size_t count) const {
     T* const out = room.open(count);
-    if (rooms_->closely) [[unlikely]]
-      room.mend();  // else an earlier call's overflow might be taken for one of this call
+    if (buffers_->strict) [[unlikely]]
+      room.mend();  // repairs damage by an earlier call, so that the host does not blame this call
     return out;
   }
   template <class T>
   T* open(GuardedValue<T>& room) const {
-    if (rooms_->closely) [[unlikely]]
+    if (buffers_->strict) [[unlikely]]
       room.mend();
     return room.data();
   }
 
-  // A room that a call wrote to, and what stood in it: "points".
+  // A buffer to which a call wrote, and the name of its content, such as "points".
   template <class Room>
   struct Written {
     const Room& room;
@@ -101,33 +95,33 @@ class alignas(64) Instance {
   template <class Room>
   Written(const Room&, const char*) -> Written<Room>;
 
-  // Fails when the last call wrote outside of one of these rooms. What begins at their edges is always found, what
-  // jumps over them when they are looked at closely.
+  // Throws Failure if the last call wrote outside of one of these buffers. Detects an overflow that changes bytes next
+  // to a buffer. Detects other overflows only if the host inspects the call closely.
   template <class... Rooms>
   void check(const char* call, const Written<Rooms>&... written) const {
-    const std::uint64_t wrong = (std::uint64_t{rooms_->closely} | ... | written.room.difference_at_edges());
+    const std::uint64_t wrong = (std::uint64_t{buffers_->strict} | ... | written.room.difference_at_edges());
     if (wrong != 0) [[unlikely]]
       (check(call, written.room.overflow(), written.what), ...);
   }
 
-  // Whether somebody keeps what calls answer; only of decisions.
+  // Returns whether the host records answers now. The host records only answers during decisions.
   bool is_traced() const {
-    return rooms_->closely && caller_ != nullptr && caller_->noting.trail != nullptr && caller_->decides;
+    return buffers_->strict && caller_ != nullptr && caller_->tracing.trail != nullptr && caller_->decides;
   }
-  // What the last call answered, once it is known to keep its promises.
+  // Records the answer of the last call. Precondition: the answer has been checked.
   template <class... Values>
   void answered(const Values&... values) const {
     if (is_traced()) [[unlikely]]
-      add(*caller_->noting.trail, *note_, AnswerDigest{}(values...).value());
+      add(*caller_->tracing.trail, *note_, AnswerDigest{}(values...).value());
   }
-  // And what a plugin does with the host of this instance.
+  // Records that the plugin called a function of its host, such as "offer", with these values.
   template <class... Values>
   void used(std::string_view what, const Values&... values) const {
     if (is_traced()) [[unlikely]]
-      add(*caller_->noting.trail, *note_, what, AnswerDigest{}(values...).value());
+      add(*caller_->tracing.trail, *note_, what, AnswerDigest{}(values...).value());
   }
 
-  // The table of this kind; throws Failure when the plugin has none.
+  // Returns the plugin's call table of this kind. Throws Failure if the plugin has none.
   template <class Table>
   const Table& table(int kind) const {
     const Table* found = plugin::table<Table>(*descriptor_, kind);
@@ -135,13 +129,16 @@ class alignas(64) Instance {
     return *found;
   }
 
-  // Ends the match: what `call` handed back breaks a promise.
-  [[noreturn]] void fail(const char* call, std::string message) const;
+  // Throws Failure, because the result of `call` breaks a promise of abi.h. The formatted text describes the mistake.
+  template <class... Values>
+  [[noreturn]] void fail(const char* call, fmt::format_string<Values...> format, Values&&... values) const {
+    fail_with(call, fmt::vformat(format, fmt::make_format_args(values...)));
+  }
 
  private:
   template <std::size_t Size, class Function, class... Arguments>
   void invoke(const char (&name)[Size], Function function, Arguments... arguments) {
-    GuardedValue<regista_error>& error = rooms_->error;
+    GuardedValue<regista_error>& error = buffers_->error;
     error.data()->text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
     begin(name);
@@ -158,7 +155,7 @@ class alignas(64) Instance {
       examine(name, status);
   }
 
-  // Apart, so that the usual call stays short.
+  // call_with() for a call that is inspected closely. A separate function, so that the usual call stays short.
   template <class Add, std::size_t Size, class Function, class... Arguments>
   [[gnu::noinline, gnu::cold]] void call_closely(Add add, const char (&name)[Size], Function function,
                                                  Arguments... arguments) {
@@ -170,12 +167,12 @@ class alignas(64) Instance {
     check(name, inputs);
   }
 
-  // Notes that a call is under way, and that it is over: a few moves of bytes.
+  // begin() and end() write the beginning and the end of a call to the note. They copy only a few bytes.
   template <std::size_t Size>
   void begin(const char (&name)[Size]) {
     static_assert(Size <= std::tuple_size_v<decltype(CallNote::call)>);
     CallNote& note = *note_;
-    // An instance is mostly called several times in a row.
+    // Mostly the note is already about this instance, because most calls follow a call of the same instance.
     if (note.instance != this) {
       note.plugin = noted_id_;
       note.instance = this;
@@ -185,25 +182,26 @@ class alignas(64) Instance {
   }
   void end() { note_->inside = 0; }
 
-  // Lest this instance pays for what an earlier one did unseen.
+  // Restores the floating-point state and the error buffer, because another instance may have damaged them unnoticed.
   void mend();
 
-  // Makes the floating-point state again what it was at first; gives what it was now.
+  // Restores the floating-point state of the time when the instance was created. Returns the state before restoring.
   FloatingPointState restore_floating_point() const;
-  // What the last call did beside its answer; empty when nothing. Restores the floating-point state.
+  // Describes the damage by the last call; empty if there is no damage. Also restores the floating-point state.
   std::string damage() const;
   void check(const char* name, const Inputs& inputs) const;
   void destroy();
 
+  [[noreturn]] void fail_with(const char* call, std::string message) const;
   void check(const char* call, Overflow overflow, const char* what) const;
-  // Fails if there is a reason.
+  // Throws Failure if the last call reported a failure or did damage.
   void examine(const char* name, std::int32_t status) const;
   [[noreturn]] void threw(const char* name) const;
   [[noreturn]] void has_no_table(int kind) const;
 
-  // In one line of the cache: what every call needs.
+  // The data that every call needs are in one cache line.
   void* raw_ = nullptr;
-  AnswerRooms* rooms_;
+  AnswerBuffers* buffers_;
   CallNote* note_;
   const Caller* caller_;
   bool compares_inputs_;
@@ -211,10 +209,10 @@ class alignas(64) Instance {
   FloatingPointState floating_point_ = FloatingPointState::now();
 
   Found plugin_;
-  const regista_descriptor* descriptor_ = nullptr;  // the plugin's own
+  const regista_descriptor* descriptor_ = nullptr;  // descriptor in the plugin's file
   regista_environment environment_;
   std::array<char, 64> noted_id_;
-  std::unique_ptr<AnswerRooms> own_rooms_;  // where nobody gives any
+  std::unique_ptr<AnswerBuffers> own_rooms_;  // buffers of this instance; null if the caller has buffers
 };
 
 }  // namespace regista::plugin

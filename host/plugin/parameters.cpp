@@ -9,10 +9,11 @@
 #include <string_view>
 #include <system_error>
 
-#include "config/file.hpp"
+#include "config/overlay.hpp"
+#include "config/renamed_keys.hpp"
 #include "config/scalar.hpp"
-#include "plugin/content_hash.hpp"
-#include "plugin/descriptor.hpp"
+#include "plugin/description.hpp"
+#include "plugin/shared_object.hpp"
 #include "texts/message.hpp"
 
 namespace regista::plugin {
@@ -21,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 using config::Node;
 
-// One parameter with the YAML value that is to become its value.
+// One parameter, and the YAML node with its value.
 struct Reading {
   const regista_parameter& declared;
   const Node& node;
-  std::string what;  // whose value it is, for messages
+  std::string what;  // names the parameter in messages
 
   [[noreturn]] void wrong(const std::string& reason) const { throw config::Error(node.where(), what + ": " + reason); }
 };
@@ -63,13 +64,12 @@ std::string content(const Reading& reading, const fs::path& path) {
   return bytes;
 }
 
-// The value of `declared` when the YAML says nothing.
 regista_value default_of(const regista_parameter& declared, std::string& text) {
   if (declared.type == REGISTA_TYPE_TEXT) text = declared.initial_text;
   return {declared.initial, nullptr, 0};
 }
 
-// Files that were read go to `files`.
+// Reads the value of a parameter. Writes the value of a text parameter to `text`, and adds a parameter file to `files`.
 regista_value read(const Reading& reading, std::string& text, std::vector<FileUsed>& files) {
   regista_value value{};
   switch (reading.declared.type) {
@@ -102,6 +102,13 @@ void check_names(const regista_descriptor& plugin, const Node& params, config::M
   for (std::uint32_t i = 0; i < plugin.parameter_count; ++i) known.emplace_back(parameter(plugin, i).name);
   for (const Node::Entry& entry : params.entries()) {
     if (std::ranges::find(known, entry.key) != known.end()) continue;
+    if (const std::string_view present = config::present_name(plugin.id, entry.key);
+        std::ranges::find(known, present) != known.end()) {
+      mistakes.add(config::Error(entry.key_where,
+                                 fmt::format("parameter {} of plugin {} is now {}", entry.key, plugin.id, present)),
+                   "");
+      continue;
+    }
     std::string message = texts::unknown("parameter", entry.key, fmt::format("plugin {}", plugin.id), known);
     if (known.empty()) message += "; it has none";
     mistakes.add(config::Error(entry.key_where, message), "");

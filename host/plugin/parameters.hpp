@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of one use of a plugin: from YAML to the values that its create() receives, checked against what the
-// plugin declares.
+// The parameters of one use of a plugin. resolve() checks YAML values and makes the values for the plugin's create().
 #pragma once
 
 #include <filesystem>
@@ -11,26 +10,26 @@
 
 #include <regista/abi.h>
 
-#include "config/mistakes.hpp"
+#include "config/errors.hpp"
 #include "config/team.hpp"
 
 namespace regista::plugin {
 
-// A file whose content became the value of a parameter.
+// A file whose content is the value of a parameter.
 struct FileUsed {
   std::string parameter;
   std::filesystem::path path;
-  std::string hash;  // of its content, see content_hash.hpp
+  std::string hash;  // hash of the file's content, see content_hash() in shared_object.hpp
 };
 
 // Largest file that a parameter may name, in bytes.
 inline constexpr std::uintmax_t largest_parameter_file = 16'000'000;
 
-// Cheap to copy; copies share the values.
+// The values of all parameters of a plugin. Cheap to copy; copies share the values.
 class Parameters {
  public:
-  Parameters() : data_(std::make_shared<const Data>()) {}  // of a plugin that has none
-  // One for each declared parameter, in declared order. Texts live as long as any copy of this.
+  Parameters() : data_(std::make_shared<const Data>()) {}  // no values, for a plugin without parameters
+  // One value for each declared parameter, in declared order. The texts live as long as any copy of this object.
   std::span<const regista_value> values() const { return data_->values; }
   std::span<const FileUsed> files() const { return data_->files; }
 
@@ -45,12 +44,12 @@ class Parameters {
   std::shared_ptr<const Data> data_;
 };
 
-// Reads use.params. A parameter that is absent or null keeps its default; a file is named relative to the YAML file in
-// which its name stands. Throws config::Error where the value stands: unknown name (with the nearest), another
-// type, not finite, out of range, no such choice, file missing or larger than largest_parameter_file.
+// Reads use.params. A parameter that is absent or null gets its default. A file name is relative to the folder of its
+// YAML file. Throws config::Error at the value for an unknown name (with the nearest name), a wrong type, an unknown
+// choice, an infinite number, NaN, a number out of range, and a file that is missing or too large.
 Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& use);
 
-// The same, telling of every mistake; what is mistaken keeps its default.
+// Like the function above, but reports every mistake. A parameter with a wrong value gets its default.
 Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& use, config::Mistakes& mistakes);
 
 }  // namespace regista::plugin

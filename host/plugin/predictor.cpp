@@ -3,42 +3,34 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numbers>
 
-#include "plugin/covariance.hpp"
-
 namespace regista::plugin {
 namespace {
-
-// Nothing on a field is farther away, or faster; what is beyond would overflow somewhere else. m, m/s
-constexpr double farthest = 1e4;
 
 constexpr double largest_number = std::numeric_limits<double>::max();
 
 bool has_pose(std::uint32_t subject) { return subject == REGISTA_SUBJECT_SELF || subject == REGISTA_SUBJECT_TEAMMATES; }
 
-// The sign bit is set when the number's magnitude is 2^exponent or more, or when it is none. Bits are looked at, not
-// numbers: half the instructions.
+// Returns a word whose sign bit is set if |value| >= 2^exponent or value is NaN. Faster than a comparison of numbers.
 template <int exponent>
 std::uint64_t beyond(double value) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   return (std::bit_cast<std::uint64_t>(value) & ~sign) + (std::uint64_t{1024 - exponent + 1} << 52);
 }
 
-// What ball and opponents have of a track, or all robots. Each is true for nearly every track that keeps all promises,
-// and for no other: one branch instead of twenty.
+// Quick checks of the fields of a track and of its pose. The result is true for nearly all valid tracks and false for
+// all invalid tracks. One branch on this result replaces twenty branches.
 bool clearly_sound(const regista_track& t) {
   constexpr int near = 13;  // 8192, a little less than farthest
   static_assert(1 << near <= farthest);
   constexpr std::uint64_t one = std::bit_cast<std::uint64_t>(1.0);
   const auto weight = std::bit_cast<std::uint64_t>(t.weight), age = std::bit_cast<std::uint64_t>(t.age);
   const std::uint64_t place = beyond<near>(t.x) | beyond<near>(t.y) | beyond<near>(t.vx) | beyond<near>(t.vy);
-  const std::uint64_t certainty = (weight - 1) | (one - weight);  // neither 0 nor above 1
+  const std::uint64_t certainty = (weight - 1) | (one - weight);  // has the sign bit set for a weight of 0 or above 1
   return static_cast<std::int64_t>(place | certainty | age | beyond<1024>(t.age)) >= 0;
 }
 bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
@@ -52,7 +44,7 @@ bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   return turned & certain & aimed & clearly_definite(t.covariance);
 }
 
-// More are rare, and allocate once.
+// Returns the usual number of tracks. A larger number is rare and costs one allocation.
 std::size_t usual_tracks(std::uint32_t subject, std::size_t team_size) {
   if (subject == REGISTA_SUBJECT_SELF) return 1;
   return subject == REGISTA_SUBJECT_TEAMMATES ? team_size : 16;
@@ -66,8 +58,8 @@ Predictor::Predictor(std::shared_ptr<Instance> instance)
   tracks_.reserve(usual_tracks(subject, instance_->environment().team_size));
   instance_->rooms().tracks.open(track_capacity);
   if ((calls_->subjects & subject) == 0) {
-    instance_->fail("create", fmt::format("models {}, not {}", subject_names(calls_->subjects),
-                                          subject == 0 ? "nothing" : subject_names(subject)));
+    instance_->fail("create", "models {}, not {}", subject_names(calls_->subjects),
+                    subject == 0 ? "nothing" : subject_names(subject));
   }
 }
 
@@ -101,14 +93,14 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 
 std::span<const regista_track> Predictor::tracks() {
   GuardedValue<regista_room>& room = instance_->rooms().track_room;
-  GuardedRoom<regista_track>& written = instance_->rooms().tracks;
+  GuardedBuffer<regista_track>& written = instance_->rooms().tracks;
   *instance_->open(room) = {instance_->open(written, track_capacity), track_capacity, 0, sizeof(regista_track), 0};
   instance_->call("tracks", calls_->tracks, room.data());
   instance_->check("tracks", Instance::Written{written, "tracks"}, Instance::Written{room, "number of tracks"});
-  // Of the room only the count is read: the plugin may have written over the rest.
+  // Reads only the count of the struct, because the plugin may have overwritten the other members.
   const std::uint32_t count = room.data()->count;
   if (count > track_capacity) [[unlikely]]
-    instance_->fail("tracks", fmt::format("wrote {} tracks into room for {}", count, track_capacity));
+    instance_->fail("tracks", "wrote {} tracks into room for {}", count, track_capacity);
   const std::span<const regista_track> out = written.first(count);
   const bool poses = has_pose(instance_->environment().subject);
   for (const regista_track& track : out) {
@@ -140,7 +132,7 @@ void Predictor::note_answer(std::span<const regista_track> tracks, bool poses) c
 
 void Predictor::check(const regista_track& t, bool has_pose) const {
   const auto wrong = [&](const char* what, double value) {
-    instance_->fail("tracks", fmt::format("{} of label {} is {}", what, t.label, value));
+    instance_->fail("tracks", "{} of label {} is {}", what, t.label, value);
   };
   struct Field {
     const char* name;
@@ -174,9 +166,9 @@ void Predictor::check(const regista_track& t, bool has_pose) const {
     case Covariance::valid:
       return;
     case Covariance::not_finite:
-      instance_->fail("tracks", fmt::format("covariance of label {} is not finite", t.label));
+      instance_->fail("tracks", "covariance of label {} is not finite", t.label);
     case Covariance::not_semi_definite:
-      instance_->fail("tracks", fmt::format("covariance of label {} is not positive semi-definite", t.label));
+      instance_->fail("tracks", "covariance of label {} is not positive semi-definite", t.label);
   }
 }
 
@@ -186,15 +178,15 @@ void Predictor::check_together(std::span<const regista_track> tracks) const {
     case REGISTA_SUBJECT_SELF:
       if (tracks.size() != 1 || tracks[0].label != environment.own_number) [[unlikely]] {
         const std::string first = tracks.empty() ? "" : fmt::format(", the first with label {}", tracks[0].label);
-        instance_->fail("tracks", fmt::format("self is one track with label {}; there are {}{}", environment.own_number,
-                                              tracks.size(), first));
+        instance_->fail("tracks", "self is one track with label {}; there are {}{}", environment.own_number,
+                        tracks.size(), first);
       }
       return;
     case REGISTA_SUBJECT_BALL:
       for (std::size_t i = 1; i < tracks.size(); ++i) {
         if (tracks[i].weight > tracks[0].weight) [[unlikely]] {
-          instance_->fail("tracks", fmt::format("hypothesis {} has weight {}, the first only {}", i, tracks[i].weight,
-                                                tracks[0].weight));
+          instance_->fail("tracks", "hypothesis {} has weight {}, the first only {}", i, tracks[i].weight,
+                          tracks[0].weight);
         }
       }
       return;
@@ -202,16 +194,16 @@ void Predictor::check_together(std::span<const regista_track> tracks) const {
       for (std::size_t i = 0; i < tracks.size(); ++i) {
         const std::int32_t label = tracks[i].label;
         if (label < 1 || static_cast<std::uint32_t>(label) > environment.team_size) [[unlikely]]
-          instance_->fail("tracks", fmt::format("robot {} of {} does not exist", label, environment.team_size));
+          instance_->fail("tracks", "robot {} of {} does not exist", label, environment.team_size);
         if (i > 0 && label <= tracks[i - 1].label) [[unlikely]]
-          instance_->fail("tracks", fmt::format("label {} comes after {}", label, tracks[i - 1].label));
+          instance_->fail("tracks", "label {} comes after {}", label, tracks[i - 1].label);
       }
       return;
     default:
       for (std::size_t i = 1; i < tracks.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           if (tracks[i].label == tracks[j].label) [[unlikely]]
-            instance_->fail("tracks", fmt::format("label {} stands in tracks {} and {}", tracks[i].label, j, i));
+            instance_->fail("tracks", "label {} stands in tracks {} and {}", tracks[i].label, j, i);
         }
       }
   }

@@ -18,18 +18,21 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 #include <system_error>
 
-#include "plugin/address_ranges.hpp"
+#include "plugin/fatal_signal.hpp"
 #include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
 
+constexpr const char* rounding_changed = "changed the rounding mode";
+constexpr const char* small_numbers = "changed how small numbers are treated (flush to zero)";
+constexpr const char* exceptions = "unmasked floating-point exceptions";
+
 namespace fs = std::filesystem;
 
-// Names that are numbers: those of threads, of descriptors.
+// Returns the names in a folder that are numbers, such as thread ids or descriptors.
 std::vector<int> numbers_in(const char* folder) {
   std::vector<int> out;
   std::error_code error;
@@ -42,7 +45,7 @@ std::vector<int> numbers_in(const char* folder) {
   return out;
 }
 
-// The folder is read through a descriptor of its own, which is gone by now.
+// Returns the open descriptors, without the descriptor that numbers_in() used to read the folder and has closed.
 std::vector<int> open_descriptors() {
   std::vector<int> out;
   for (const int each : numbers_in("/proc/self/fd")) {
@@ -53,12 +56,8 @@ std::vector<int> open_descriptors() {
 }
 
 int running_timers() {
-  int out = 0;
-  for (const __itimer_which each : {ITIMER_REAL, ITIMER_VIRTUAL, ITIMER_PROF}) {
-    itimerval now{};
-    if (getitimer(each, &now) == 0 && (now.it_value.tv_sec != 0 || now.it_value.tv_usec != 0)) ++out;
-  }
-  std::ifstream list("/proc/self/timers");  // those of timer_create(); not every kernel has it
+  int out = interval_timers();
+  std::ifstream list("/proc/self/timers");  // lists the timers of timer_create(); some kernels lack this file
   for (std::string line; std::getline(list, line);) {
     if (line.starts_with("ID:")) ++out;
   }
@@ -89,7 +88,7 @@ std::vector<std::string> variables() {
   return out;
 }
 
-// Names of variables whose values differ, or that are there only once.
+// Returns the names of environment variables that `before` and `after` have with different values, or only one of them.
 std::vector<std::string> changed_variables(const ProcessState& before, const ProcessState& after) {
   std::vector<std::string> out = without(before.environment, after.environment);
   const std::vector<std::string> fresh = without(after.environment, before.environment);
@@ -118,9 +117,86 @@ std::string signal_name(int number) {
 
 }  // namespace
 
+#if defined(__x86_64__)
+
+// Intel 64 and IA-32 Architectures Software Developer's Manual, volume 1, describes the bits of MXCSR (section 10.2.3)
+// and the bits of the x87 control word (section 8.1.5).
+void FloatingPointState::restore() const {
+  const auto x87 = static_cast<std::uint16_t>(x87_);
+  // Clears pending exceptions. Otherwise the next instruction would raise the exceptions that the new state reports.
+  __asm__ volatile("fnclex\n\tfldcw %0" : : "m"(x87));
+  _mm_setcsr(sse_);
+}
+
+std::string FloatingPointState::changed_from(const FloatingPointState& earlier) const {
+  const std::uint32_t sse = sse_ ^ earlier.sse_, x87 = x87_ ^ earlier.x87_;
+  if ((sse & 0x6000) != 0 || (x87 & 0x0c00) != 0) return rounding_changed;
+  if ((sse & 0x8040) != 0) return small_numbers;
+  if ((sse & 0x1f80) != 0 || (x87 & 0x003f) != 0) {
+    const bool fewer = (sse & earlier.sse_ & 0x1f80) != 0 || (x87 & earlier.x87_ & 0x003f) != 0;
+    return fewer ? exceptions : "masked floating-point exceptions";
+  }
+  if ((x87 & 0x0300) != 0) return "changed the precision of floating-point arithmetic";
+  return sse != 0 || x87 != 0 ? "changed the floating-point environment" : "";
+}
+
+#else
+
+namespace {
+
+// Returns whether the processor sets denormal numbers to zero. No portable function returns this setting.
+bool flushes_to_zero() {
+  volatile double least = std::numeric_limits<double>::min();
+  least = least / 2;
+  return least == 0.0;
+}
+
+}  // namespace
+
+std::uint32_t FloatingPointState::difference_for_numbers() {
+  return std::fegetround() == FE_TONEAREST && !flushes_to_zero() ? 0 : 1;
+}
+
+FloatingPointState FloatingPointState::now() {
+  FloatingPointState out;
+  out.rounding_ = std::fegetround();
+#if defined(__GLIBC__)
+  out.unmasked_ = fegetexcept();
+#endif
+  out.flushes_ = flushes_to_zero();
+  return out;
+}
+
+void FloatingPointState::restore() const {
+  // Sets the default environment of the C library first, because no portable function sets only the flushing to zero.
+  if (flushes_to_zero() != flushes_) std::fesetenv(FE_DFL_ENV);
+  std::fesetround(rounding_);
+#if defined(__GLIBC__)
+  fedisableexcept(FE_ALL_EXCEPT);
+  feenableexcept(unmasked_);
+#endif
+}
+
+std::string FloatingPointState::changed_from(const FloatingPointState& earlier) const {
+  if (rounding_ != earlier.rounding_) return rounding_changed;
+  if (flushes_ != earlier.flushes_) return small_numbers;
+  return unmasked_ != earlier.unmasked_ ? exceptions : "";
+}
+
+#endif
+
+int running_threads() { return static_cast<int>(numbers_in("/proc/self/task").size()); }
+
+int interval_timers() {
+  return static_cast<int>(std::ranges::count_if(std::array{ITIMER_REAL, ITIMER_VIRTUAL, ITIMER_PROF}, [](auto each) {
+    itimerval now{};
+    return getitimer(each, &now) == 0 && (now.it_value.tv_sec != 0 || now.it_value.tv_usec != 0);
+  }));
+}
+
 ProcessState ProcessState::now() {
   ProcessState out;
-  out.threads = static_cast<int>(numbers_in("/proc/self/task").size());
+  out.threads = running_threads();
   out.timers = running_timers();
   out.descriptors = open_descriptors();
   rlimit files{};
@@ -148,8 +224,7 @@ void keep_orphans() { ::prctl(PR_SET_CHILD_SUBREAPER, 1); }
 std::string changes(const ProcessState& before, const ProcessState& after) {
   std::vector<std::string> out;
   if (const int more = after.threads - before.threads; more > 0) {
-    out.push_back(
-        fmt::format("left {} running", texts::counted(static_cast<std::uint64_t>(more), "thread", "threads")));
+    out.push_back(fmt::format("left {} running", texts::plural(static_cast<std::uint64_t>(more), "thread", "threads")));
   }
   if (after.has_children && !before.has_children) out.push_back("left a process running");
   if (after.timers > before.timers) out.push_back("left a timer running");

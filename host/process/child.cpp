@@ -3,6 +3,8 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -13,16 +15,18 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <string_view>
 #include <system_error>
 
-#include "process/descriptor.hpp"
+#include "process/file_descriptor.hpp"
 #include "process/sanitized.hpp"
 
 namespace regista::process {
 namespace {
 
 constexpr rlim_t small_stack = rlim_t{8} << 20;  // bytes
-constexpr int lowest_spare = 10;                 // above the numbers that files are handed over under
+constexpr int lowest_spare = 10;  // lowest descriptor for duplicates; above all target numbers of handed files
 constexpr std::size_t most_handed = 8;
 
 bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
@@ -32,19 +36,30 @@ bool limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   return ::setrlimit(resource, &wanted) == 0;
 }
 
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+bool set_limits(const Limits& limits) {
+  if (!limits.core_file && !limit(RLIMIT_CORE, 0, 0)) return false;
+  if (limits.small_stack && !limit(RLIMIT_STACK, small_stack, small_stack)) return false;
+  const auto seconds = static_cast<rlim_t>(limits.processor_seconds);
+  if (seconds > 0 && !limit(RLIMIT_CPU, seconds, seconds + 2)) return false;
+  return limits.memory == 0 || addresses_are_reserved() || limit(RLIMIT_AS, limits.memory, limits.memory);
 }
 
-// Out of the way of the numbers they are to have first, for any of them may be the number of another.
+// Returns the used processor time, s.
+double used_by(const rusage& usage) {
+  const auto seconds_of = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
+}
+
+// Gives each file its number in the child. Copies all files to high numbers first, because the numbers may be in use.
 bool place_files(const Setting& setting) {
   std::array<HandedFile, most_handed + 3> wanted;
   std::size_t count = 0;
   for (const HandedFile& each : setting.files) wanted[count++] = each;
   if (!setting.keeps_streams) {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-      const auto end = wanted.begin() + static_cast<std::ptrdiff_t>(count);
-      if (std::none_of(wanted.begin(), end, [&](const HandedFile& each) { return each.to == stream; }))
+      if (std::ranges::find(setting.files, stream, &HandedFile::to) == setting.files.end())
         wanted[count++] = {HandedFile::nothing, stream};
     }
   }
@@ -64,12 +79,54 @@ bool place_files(const Setting& setting) {
   return true;
 }
 
-// Starts a process. In the child it returns 0.
+// Starts a process. Returns 0 in the child.
 pid_t forked() {
   const pid_t process = ::fork();
   if (process == -1) throw std::system_error(errno, std::generic_category(), "cannot start a process");
-  if (process > 0) ::setpgid(process, process);  // whoever of the two comes first
+  if (process > 0) ::setpgid(process, process);  // parent and child both call setpgid(); the first call takes effect
   return process;
+}
+
+std::vector<pid_t> children() {
+  std::vector<pid_t> out;
+  std::ifstream list("/proc/thread-self/children");
+  for (pid_t child = 0; list >> child;) out.push_back(child);
+  return out;
+}
+
+bool holds(std::span<const pid_t> all, pid_t one) { return std::ranges::find(all, one) != all.end(); }
+
+using Clock = std::chrono::steady_clock;
+
+// Reads the output of the program until it has closed both pipes. Returns false after a timeout.
+bool read_both(const ProgramCall& call, FileDescriptor& output, FileDescriptor& errors, ProgramEnd& out) {
+  const auto begin = Clock::now();
+  const auto append_to = [&](std::string& text) {
+    return [&text, &call](std::string_view piece) {
+      text.append(piece.substr(0, call.longest_text - std::min(call.longest_text, text.size())));
+    };
+  };
+  while (output.is_open() || errors.is_open()) {
+    int wait = -1;
+    if (call.patience) {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(begin + *call.patience - Clock::now());
+      if (left.count() <= 0) return false;
+      wait = static_cast<int>(left.count());
+    }
+    std::array<pollfd, 2> ends{{{output.number, POLLIN, 0}, {errors.number, POLLIN, 0}}};
+    if (::poll(ends.data(), ends.size(), wait) <= 0) continue;  // a signal interrupted poll(), or the time is over
+    if (ends[0].revents != 0) read_available(output, append_to(out.output));
+    if (ends[1].revents != 0) read_available(errors, append_to(out.errors));
+  }
+  return true;
+}
+
+std::string quoted(const std::string& word) {
+  constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + '\'';
 }
 
 }  // namespace
@@ -81,21 +138,12 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
   return out;
 }
 
-bool set_limits(const Limits& limits) {
-  if (!limits.core_file && !limit(RLIMIT_CORE, 0, 0)) return false;
-  if (limits.small_stack && !limit(RLIMIT_STACK, small_stack, small_stack)) return false;
-  const auto seconds = static_cast<rlim_t>(limits.processor_seconds);
-  if (seconds > 0 && !limit(RLIMIT_CPU, seconds, seconds + 2)) return false;
-  return limits.memory == 0 || addresses_are_reserved() || limit(RLIMIT_AS, limits.memory, limits.memory);
-}
-
 void limit_processor_time(int seconds) {
   rusage used{};
   ::getrusage(RUSAGE_SELF, &used);
   rlimit now{};
   ::getrlimit(RLIMIT_CPU, &now);
-  const double until = seconds_of(used.ru_utime) + seconds_of(used.ru_stime) + seconds;
-  now.rlim_cur = std::min(static_cast<rlim_t>(until), now.rlim_max);
+  now.rlim_cur = std::min(static_cast<rlim_t>(used_by(used) + seconds), now.rlim_max);
   ::setrlimit(RLIMIT_CPU, &now);
 }
 
@@ -112,7 +160,7 @@ bool become_child(const Setting& setting, pid_t parent) {
   ::setpgid(0, 0);
   if (!setting.outlives_parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) return false;  // it died before it could be watched
+    if (::getppid() != parent) return false;  // the parent died before PR_SET_PDEATHSIG
   }
   if (!place_files(setting) || !set_limits(setting.limits)) return false;
   if (!setting.keeps_signals) default_signals();
@@ -145,8 +193,7 @@ std::string did_not_return(double wall_seconds) { return fmt::format("did not re
 Child::~Child() {
   if (process_ == -1) return;
   kill();
-  while (::waitpid(process_, nullptr, 0) == -1 && errno == EINTR) {
-  }
+  uninterrupted([this] { return ::waitpid(process_, nullptr, 0); });
 }
 
 Child& Child::operator=(Child&& other) noexcept {
@@ -160,12 +207,12 @@ Child Child::copy(const Setting& setting, const std::function<int()>& work) {
   const pid_t process = forked();
   if (process != 0) return Child(process);
   if (!become_child(setting, parent)) ::_exit(never_began);
-  // Nothing that it throws may go on in what called this.
+  // noexcept: an exception of `work` ends this process, and does not reach the caller of copy().
   ::_exit([&]() noexcept { return work(); }());
 }
 
-// Between fork and exec: only calls that are safe in a signal handler. Why a program can't be started comes back
-// through a pipe that exec closes.
+// Between fork() and exec(), the child makes only calls that are safe in a signal handler. If the start fails, the
+// child writes the error to a pipe, which a successful exec() closes.
 Child Child::program(const Setting& setting, const Program& program) {
   const std::vector<char*> words = pointers(program.words);
   char* const* const variables = program.variables ? program.variables->data() : environ;
@@ -185,11 +232,7 @@ Child Child::program(const Setting& setting, const Program& program) {
   out.ends_group_ = !setting.outlives_parent;
   reason.write.reset();
   int error = 0;
-  ssize_t count = 0;
-  do {
-    count = ::read(reason.read.number, &error, sizeof error);
-  } while (count == -1 && errno == EINTR);
-  if (count != sizeof error) return out;
+  if (uninterrupted([&] { return ::read(reason.read.number, &error, sizeof error); }) != sizeof error) return out;
   out.wait();
   throw std::system_error(error, std::generic_category(), "cannot start " + program.words.front());
 }
@@ -198,17 +241,14 @@ std::optional<ProcessEnd> Child::reaped(int options) {
   assert(process_ != -1);
   int status = 0;
   rusage usage{};
-  pid_t waited = -1;
-  do {
-    waited = ::wait4(process_, &status, options, &usage);
-  } while (waited == -1 && errno == EINTR);
+  const pid_t waited = uninterrupted([&] { return ::wait4(process_, &status, options, &usage); });
   if (waited == 0) return std::nullopt;
   if (waited == process_ && WIFSTOPPED(status)) return ProcessEnd{status, 0.0};
   const int error = errno;
   const pid_t process = std::exchange(process_, -1);
   if (waited == -1) throw std::system_error(error, std::generic_category(), "cannot wait for a process");
   if (ends_group_) ::kill(-process, SIGKILL);
-  return ProcessEnd{status, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime)};
+  return ProcessEnd{status, used_by(usage)};
 }
 
 std::optional<ProcessEnd> Child::look() { return process_ == -1 ? std::nullopt : reaped(WNOHANG | WUNTRACED); }
@@ -216,10 +256,63 @@ std::optional<ProcessEnd> Child::look() { return process_ == -1 ? std::nullopt :
 ProcessEnd Child::wait() { return *reaped(0); }
 
 void Child::kill() const {
-  // Itself, too: it may not have its group yet, or have gone to another.
+  // Kills the process itself, too, because it may not be in its group yet, or not any more.
   if (process_ == -1) return;
   ::kill(-process_, SIGKILL);
   ::kill(process_, SIGKILL);
+}
+
+Descendants::Descendants() : strangers_(children()), groups_{::getpgrp()} {
+  for (const pid_t each : strangers_) {
+    if (const pid_t group = ::getpgid(each); group > 0) groups_.push_back(group);
+  }
+  ::prctl(PR_SET_CHILD_SUBREAPER, 1);
+}
+
+void Descendants::end_all_but(std::span<const pid_t> those) const {
+  // Repeats the search, because the children of a killed process become children of this process.
+  for (int round = 0; round < 100; ++round) {
+    bool found = false;
+    for (const pid_t child : children()) {
+      if (holds(those, child) || holds(strangers_, child) || holds(groups_, ::getpgid(child))) continue;
+      found = true;
+      ::kill(child, SIGKILL);
+      ::waitpid(child, nullptr, 0);
+    }
+    if (!found) return;
+  }
+}
+
+ProgramEnd run_program(const ProgramCall& call) {
+  ProgramEnd out;
+  Pipe output = make_pipe(), errors = make_pipe();
+  Setting setting{.files = {{output.write.number, 1}, {errors.write.number, 2}},
+                  .limits = {.core_file = true},
+                  .outlives_parent = true};
+  Child running;
+  try {
+    running = Child::program(setting, {call.words.front(), call.words, std::nullopt});
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::no_such_file_or_directory) throw;
+    out.found = false;
+    return out;
+  }
+  output.write.reset();
+  errors.write.reset();
+  out.in_time = read_both(call, output.read, errors.read, out);
+  if (!out.in_time) running.kill();
+  out.end = running.wait();
+  return out;
+}
+
+std::string shell_line(const std::vector<std::string>& words) {
+  std::vector<std::string> out;
+  for (const std::string& word : words) out.push_back(quoted(word));
+  return fmt::format("{}", fmt::join(out, " "));
+}
+
+std::string command_line(const std::vector<std::string>& words) {
+  return words.empty() ? "regista" : "regista " + shell_line(words);
 }
 
 }  // namespace regista::process

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// One child process: started, limited, waited for, ended, and its end in words. It stands in a process group of its
-// own, so that Ctrl-C on the terminal reaches its parent alone, and dies with its parent (PR_SET_PDEATHSIG). What it
-// started in its group is ended with it.
+// Starts a child process, limits its resources, waits for it, ends it, and describes its end. A child has its own
+// process group, so that Ctrl-C on the terminal reaches only its parent. A child dies with its parent
+// (PR_SET_PDEATHSIG). Processes in the child's group are killed with the child. Descendants kills processes that left
+// the group.
 #pragma once
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -17,97 +20,96 @@
 
 namespace regista::process {
 
-// Texts as exec() wants them, with a null at the end. The texts must live on.
+// Returns pointers to the texts and a null at the end, as exec() needs them. The texts must outlive the result.
 std::vector<char*> pointers(const std::vector<std::string>& texts);
 
-// What a process may use up; 0: no limit of ours.
+// The resource limits of a process. 0: Regista sets no limit.
 struct Limits {
-  int processor_seconds = 0;  // from its start; then SIGXCPU, and two seconds later SIGKILL
-  std::uint64_t memory = 0;   // bytes of addresses; none where a sanitizer reserves more of them than there is memory
-  bool core_file = false;     // of what was in memory at its death; false: none is ever made
-  bool small_stack = false;   // 8 MiB: an endless recursion ends there, whatever the user's own limit is
+  int processor_seconds = 0;  // s of processor time; then the process gets SIGXCPU, and two seconds later SIGKILL
+  std::uint64_t memory = 0;   // bytes of address space; ignored if a sanitizer reserves more addresses than memory
+  bool core_file = false;     // false: a process that dies writes no core file
+  bool small_stack = false;   // true: a stack of 8 MiB whatever the user's limit is, so an endless recursion ends
 };
-// Of this process, from now on. False when that was not possible. Makes only calls that are safe in a signal handler.
-bool set_limits(const Limits& limits);
-// From now on; then SIGXCPU.
+// Gives this process `seconds` of processor time from now on. After this time the process gets SIGXCPU.
 void limit_processor_time(int seconds);
 
-// A file of the parent's, by its number there, and its number in the child.
+// A file descriptor of the parent, and its number in the child.
 struct HandedFile {
   int from = nothing;
   int to = 0;
-  static constexpr int nothing = -1;  // /dev/null
+  static constexpr int nothing = -1;  // the child gets /dev/null
 };
 
 struct Setting {
-  // Beside those that are not closed at exec. Standard streams that are not among them are /dev/null.
+  // Files that the child gets in addition to inherited files. A standard stream that is missing here is /dev/null.
   std::vector<HandedFile> files = {};
   Limits limits = {};
-  bool keeps_streams = false;    // standard streams are those of the parent
-  bool keeps_signals = false;    // handlers and mask of signals are those of the parent; else the system's
-  bool outlives_parent = false;  // and what it starts outlives it
+  bool keeps_streams = false;    // the child keeps the standard streams of the parent
+  bool keeps_signals = false;    // the child keeps signal handlers and mask of the parent; false: system defaults
+  bool outlives_parent = false;  // the child and its own children continue after the end of the parent
 };
 
-// Makes this new process a child in such a setting. False when something was not possible: it must end at once. Makes
+// Applies the setting to this new process. Returns false if a step failed; the process must then end immediately. Makes
 // only calls that are safe in a signal handler.
 bool become_child(const Setting& setting, pid_t parent);
 
-// Handlers and mask of signals as of a program just started. Makes only calls that are safe in a signal handler.
+// Sets signal handlers and mask to the state of a new program. Makes only calls that are safe in a signal handler.
 void default_signals();
 
-// How a process ended, or that it was stopped.
+// The state of a process that has ended or was stopped by a signal.
 struct ProcessEnd {
-  int status = 0;                  // as waitpid() gives it
-  double processor_seconds = 0.0;  // that it used; 0 of one that was stopped
+  int status = 0;                  // status from waitpid()
+  double processor_seconds = 0.0;  // processor time that the process used; 0 for a stopped process
 
   bool was_stopped() const;
   bool exited_with(int code) const;
-  std::optional<int> signal_number() const;  // that ended it
-  // By a signal that people and systems send to processes: then its end says nothing about its code.
+  std::optional<int> signal_number() const;  // signal that ended the process
+  // Returns whether the process ended by a signal that people or systems send (SIGKILL, SIGTERM, SIGINT, SIGHUP,
+  // SIGQUIT). Such an end is no evidence of a mistake in its code.
   bool from_outside() const;
-  // By the limit of processor time.
   bool out_of_processor_time() const { return signal_number() == SIGXCPU; }
-  // "Segmentation fault", "ended the process (exit code 3)", "was stopped (Stopped (signal))".
+  // Describes the end: "Segmentation fault", "ended the process (exit code 3)", "was stopped (Stopped (signal))".
   std::string in_words() const;
 };
 
-// The same words for the same end, whoever limits it.
+// Texts for a process that was ended at a limit.
 std::string used_processor_time(int seconds);     // "used more than 10 s of processor time"
 std::string did_not_return(double wall_seconds);  // "did not return within 200 s"
 
 class Child {
  public:
   Child() = default;
-  // A process that is a child of this one, in a group of its own.
+  // Takes over a child process of this process. The child must have its own process group.
   explicit Child(pid_t process) : process_(process) {}
-  // Kills and waits for it where nobody has.
+  // Kills the process and waits for its end, unless a caller has already waited.
   ~Child();
   Child(Child&& other) noexcept : process_(std::exchange(other.process_, -1)), ends_group_(other.ends_group_) {}
   Child& operator=(Child&& other) noexcept;
 
-  // A copy of this process that does `work` and ends with the code that it returns, at once and without destructors.
-  // This process has no threads that the copy would miss. Throws std::system_error.
+  // Starts a copy of this process that runs `work`. The copy then ends immediately with the returned exit code, without
+  // destructors. Precondition: `work` needs no other threads of this process. Throws std::system_error.
   static Child copy(const Setting& setting, const std::function<int()>& work);
-  // The exit code of a copy that never came to its work: a limit of the system, mostly of open files.
+  // The exit code of a copy that could not start its work because of a system limit, mostly the limit of open files.
   static constexpr int never_began = 127;
 
   struct Program {
-    std::string file = {};                                 // where it has no '/', it is looked for in PATH
-    std::vector<std::string> words;                        // with the program's name
-    std::optional<std::span<char* const>> variables = {};  // "NAME=VALUE" and a null; nothing: those of this process
+    std::string file = {};           // path of the program; a name without '/' is searched in PATH
+    std::vector<std::string> words;  // arguments including the program's name
+    std::optional<std::span<char* const>> variables = {};  // "NAME=VALUE" and a null; missing: as in this process
   };
-  static constexpr const char* this_program = "/proc/self/exe";  // also when its file has been replaced meanwhile
-  // Throws std::system_error with the reason when it can't be started.
+  static constexpr const char* this_program = "/proc/self/exe";  // valid even if the program's file has been replaced
+  // Throws std::system_error with the reason if the program cannot be started.
   static Child program(const Setting& setting, const Program& program);
 
   bool runs() const { return process_ != -1; }
-  pid_t process() const { return process_; }  // -1 when it has ended
+  pid_t process() const { return process_; }  // -1 after the end of the process
 
-  // Without waiting: how it ended; or, every time that it was stopped, that it was. What it has started is killed when
-  // it has ended. Both throw std::system_error where nobody can say how it ended.
+  // look() does not wait. It returns the end of the process, a stop by a signal, or nothing while the process runs.
+  // wait() waits for the end. After the end, both functions kill the process group of the child, unless program()
+  // started it with outlives_parent. Both functions throw std::system_error if the end of the process is unknown.
   std::optional<ProcessEnd> look();
   ProcessEnd wait();
-  // With all in its group. It is still to be waited for.
+  // Kills the process and its group. The caller must still call wait().
   void kill() const;
 
  private:
@@ -115,5 +117,50 @@ class Child {
   pid_t process_ = -1;
   bool ends_group_ = true;
 };
+
+// Kills processes that plugins have started. When its parent ends, such a process becomes a child of this process.
+// Strangers, and processes in their groups, are not killed. Strangers are children that a shell left when it became
+// this process (`exec`).
+class Descendants {
+ public:
+  // Must be called before this process starts children, because all present children are strangers. Each later child
+  // must have its own process group.
+  Descendants();
+
+  // Kills all children of this process except `those` and strangers.
+  void end_all_but(std::span<const pid_t> those) const;
+  void end_all() const { end_all_but({}); }
+
+ private:
+  std::vector<pid_t> strangers_, groups_;
+};
+
+// --- Other programs, such as the commands of Slurm. They run without a shell. The caller waits for their end and gets
+// their output. shell_line() and command_line() write a command for a shell.
+
+struct ProgramCall {
+  std::vector<std::string> words;                          // program name, searched in PATH, and its arguments
+  std::optional<std::chrono::milliseconds> patience = {};  // the program is killed after this time; missing: no limit
+  std::size_t longest_text = std::size_t{64} << 20;        // kept bytes of output, and of errors; the rest is dropped
+};
+
+struct ProgramEnd {
+  bool found = true;    // false: no such program exists
+  bool in_time = true;  // false: the program was killed after ProgramCall::patience
+  ProcessEnd end;
+  std::string output, errors;  // text on standard output and standard error
+
+  bool succeeded() const { return found && in_time && end.exited_with(0); }
+};
+
+// Runs a program with empty standard input, and waits for its end. The program continues if this process dies. Throws
+// std::system_error if no process can be started.
+ProgramEnd run_program(const ProgramCall& call);
+
+// Returns a line that a POSIX shell splits into the same words.
+std::string shell_line(const std::vector<std::string>& words);
+
+// Returns the shell line with "regista" as the name of the program, so that equal results give equal pages.
+std::string command_line(const std::vector<std::string>& words);
 
 }  // namespace regista::process

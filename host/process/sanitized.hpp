@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Whether the program was built with the address sanitizer, which reserves most addresses, catches fatal signals itself
-// and makes matches ten times slower.
+// Says whether this program has the address sanitizer. The sanitizer reserves most addresses, handles fatal signals
+// itself and makes matches ten times slower.
 #pragma once
 
 #include <dlfcn.h>
 
-#if defined(__SANITIZE_ADDRESS__)  // GCC's name for it
+#if defined(__SANITIZE_ADDRESS__)  // macro of GCC
 #define REGISTA_SANITIZED
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -21,8 +21,8 @@ inline constexpr bool sanitized = true;
 inline constexpr bool sanitized = false;
 #endif
 
-// Whether an address sanitizer reserves the addresses of this process: that of this program, or one that a user has
-// loaded first for a plugin.
+// Returns whether an address sanitizer reserves addresses of this process. The sanitizer may be that of this program,
+// or one that a user has preloaded for a plugin.
 inline bool addresses_are_reserved() { return sanitized || ::dlsym(RTLD_DEFAULT, "__asan_init") != nullptr; }
 
 }  // namespace regista

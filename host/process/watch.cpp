@@ -4,11 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <string>
 
 namespace regista::process {
 namespace {
@@ -18,8 +18,7 @@ struct Activity {
   unsigned long long used = 0;
 };
 
-// proc(5): number, name in parentheses, state, ten fields, then the time in user mode and in the kernel. The name may
-// hold anything.
+// The format is that of proc(5): number, name in parentheses (any characters), state, ten fields, user and kernel time.
 std::optional<Activity> activity_of(pid_t process) {
   std::ifstream file(fmt::format("/proc/{}/stat", process));
   std::string line;
@@ -57,6 +56,22 @@ double IdleProcess::idle_seconds() {
   if (now) used_ = now->used;
   if (!idle) since_ = Clock::now();
   return std::chrono::duration<double>(Clock::now() - since_).count();
+}
+
+void KeptOutput::add(std::string_view text) {
+  const std::size_t room = most_each - first_.size();
+  first_.append(text.substr(0, room));
+  text.remove_prefix(std::min(room, text.size()));
+  last_.append(text);
+  if (last_.size() <= most_each) return;
+  const std::size_t too_many = last_.size() - most_each;
+  left_out_ += too_many;
+  last_.erase(0, too_many);
+}
+
+std::string KeptOutput::text() const {
+  if (left_out_ == 0) return first_ + last_;
+  return fmt::format("{}\n[{} bytes are left out]\n{}", first_, left_out_, last_);
 }
 
 }  // namespace regista::process

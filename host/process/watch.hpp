@@ -1,53 +1,53 @@
 // SPDX-License-Identifier: MIT
-// Watching another process: what it has used, for how long it has done nothing, and whether the call that it is in
-// takes too long.
+// Watches another process: its processor time and memory, its idle time, the duration of its present call, its output.
 #pragma once
 
 #include <sys/types.h>
 
 #include <chrono>
 #include <cstdint>
+#include <string>
+#include <string_view>
 
 namespace regista::process {
 
-// s of processor time of a process that runs, so far; 0 where it cannot be known.
+// Returns the processor time of a running process so far, s; 0 if it is unknown.
 double processor_seconds_of(pid_t process);
 
-// Bytes of addresses that a process has mapped; 0 where it cannot be known.
+// Returns the mapped address space of a process, bytes; 0 if it is unknown.
 std::uint64_t address_space_of(pid_t process);
 
-// For how long it has done nothing. One that waits for a processor or for a disk is not idle: a machine with much else
-// to do is held against nobody.
+// Measures how long a process has been idle. A process that waits for a processor or a disk does not count as idle.
 class IdleProcess {
  public:
   explicit IdleProcess(pid_t process) : process_(process) {}
 
-  // s for which it has slept or been stopped, at every look: to be called several times a second.
+  // Returns how long, in s, all calls have found the process asleep or stopped. Must be called several times a second.
   double idle_seconds();
 
  private:
   using Clock = std::chrono::steady_clock;
   pid_t process_;
-  unsigned long long used_ = 0;  // of the processor, in ticks of the system
+  unsigned long long used_ = 0;  // used processor time in clock ticks of the system
   Clock::time_point since_ = Clock::now();
 };
 
 struct CallLimits {
-  int processor_seconds = 0;  // of one call
-  double wall_seconds = 0.0;  // likewise: a far back-stop, for one that sleeps
+  int processor_seconds = 0;  // processor time of one call, s
+  double wall_seconds = 0.0;  // wall time of one call, s; much longer than processor_seconds, for a plugin that sleeps
 };
 
 enum class Exceeded { nothing, processor_time, wall_time };
 
-// Whether the call that is under way in a process has used up its time. Looked at every now and then. Call: what says
-// which call it is, a value that differs from one call to the next.
+// Checks whether the present call in a process exceeds its limits. The owner calls look() from time to time. Call: a
+// type whose values identify a call and differ from one call to the next.
 template <class Call>
 class CallWatch {
  public:
   using Clock = std::chrono::steady_clock;
   explicit CallWatch(const CallLimits& limits) : limits_(limits) {}
 
-  // working: it is in that call, and not between two.
+  // working: the process is in a call, and not between two calls.
   Exceeded look(const Call& call, bool working, pid_t process) {
     const double processor = processor_seconds_of(process);
     if (!(call == call_)) {
@@ -60,9 +60,9 @@ class CallWatch {
     if (working && processor - processor_then_ > limits_.processor_seconds) return Exceeded::processor_time;
     return Exceeded::nothing;
   }
-  // s since it was seen first.
+  // Returns the time since the first look at the present call, s.
   double wall_seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
-  // Nothing is under way whose time is limited.
+  // Starts the measurement again. Must be called while no call with a time limit is in progress.
   void pause() {
     began_ = Clock::now();
     processor_then_ = unknown;
@@ -73,7 +73,20 @@ class CallWatch {
   Call call_{};
   Clock::time_point began_ = Clock::now();
   static constexpr double unknown = -1.0;
-  double processor_then_ = unknown;  // s that the process had used when the call was seen first
+  double processor_then_ = unknown;  // processor time at the first look at the call, s
+};
+
+// Keeps the beginning and the end of the standard error text of a process.
+class KeptOutput {
+ public:
+  void add(std::string_view text);
+  // Returns the text. If a middle part is missing, a line says how many bytes were left out.
+  std::string text() const;
+
+ private:
+  static constexpr std::size_t most_each = 4096;  // bytes that are kept at the beginning, and as many at the end
+  std::string first_, last_;
+  std::uint64_t left_out_ = 0;
 };
 
 }  // namespace regista::process

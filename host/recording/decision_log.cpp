@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "match/names.hpp"
+#include "match/game_state.hpp"
 #include "match/teams.hpp"
 #include "texts/json.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double millimetres = 1e3, millionths = 1e6;  // parts of a unit that are kept
+constexpr double millimetres = 1e3, millionths = 1e6;  // parts of a metre and of 1 to which values are rounded
 
 double rounded(double value, double parts) { return std::round(value * parts) / parts; }
 
@@ -30,7 +30,7 @@ Json pose(const match::BodyState& body, double direction) {
 
 std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
-// Name of a row of the table of roles; null for none, "unknown" while negotiations have not ended.
+// Returns the name of a role; null for no role, "unknown" while the negotiation has not ended.
 Json role_or_null(const std::vector<std::string>& names, int role) {
   if (role == REGISTA_UNKNOWN_TASK) return "unknown";
   if (role < 0) return nullptr;
@@ -42,7 +42,7 @@ Json ball(const mind::DistributedWorldModel& world) {
   return {{"position", point(world.ball().x(), world.ball().y())}, {"age", rounded(world.ball_state.age, millimetres)}};
 }
 
-// The own row of the utility estimation matrix, by task; null when this robot has none.
+// Returns the robot's own row of the utility estimation matrix, by task; null if the robot has no row.
 Json utilities(const mind::Mind& mind, const std::vector<std::string>& names) {
   const mind::Decision& decision = mind.decision();
   if (decision.context < 0) return nullptr;
@@ -88,18 +88,10 @@ void DecisionLog::decided(const mind::Mind& mind, const match::Decision& turn) {
   write_segments(mind, turn);
   const match::Side side = turn.side;
   const std::size_t i = match::index(side);
-  Last& last = last_[i][static_cast<std::size_t>(mind.number() - 1)];
+  LastDecision& last = last_[i][static_cast<std::size_t>(mind.number() - 1)];
   const mind::Decision& decision = mind.decision();
-  const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
-  if (!turn.packet_charged && kept_same && last.context == decision.context && last.role == decision.own_role &&
-      last.assignment == decision.role_of) {
-    return;
-  }
-  last.context = decision.context;
-  last.role = decision.own_role;
-  last.assignment = decision.role_of;
-  last.kept.clear();
-  for (const regista_task& task : decision.columns) last.kept.push_back(task.id);
+  if (!turn.packet_charged && last.is(decision)) return;
+  last.take(decision);
 
   const std::vector<std::string>& names = role_names_[i];
   const mind::Pose own = mind.world().local().pose();

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A match as its robots saw it, for people who look at decisions: a file of JSON lines, written while the match is
-// played. Every line has `kind` and `time` (s since the start of the match):
-//   match     the first line: teams, seed
-//   decision  of a robot, when context, kept tasks, assignment or own role changed or a packet was sent: what it
-//             believed, what it chose, what it sent (a packet that was charged, not one that it may not or cannot
-//             send). In the field frame of its own team.
-//   segment   of bytes that a plugin offered for a packet: offered, refused, sent, dropped, heard by a teammate, or not
-//             delivered, and why
-//   event     of the referee
-//   truth     once a second: all robots ([x, y, heading]), the ball, the score. In the field frame of the home team; a
-//             half turn about the centre leads to that of the away team.
-// Lengths in metres, rounded to the millimetre; utilities to six digits, null where a pair is forbidden.
+// The decision log of a match, for people who examine decisions: what the robots believed and chose. The file has JSON
+// lines and is written during the match. Every line has `kind` and `time` (s since the start of the match):
+//   match     the first line: teams and seed
+//   decision  belief, choice and charged packet of a robot, in the field frame of its team; written when the robot sent
+//             a packet or when its context, kept tasks, assignment or role changed
+//   segment   what happened to bytes that a plugin offered for a packet, and why: offered, refused, sent, dropped,
+//             heard by a teammate, or not delivered
+//   event     an event of the referee
+//   truth     once a second: all robots ([x, y, heading]), ball and score, in the field frame of the home team; half a
+//             turn about the centre gives the frame of the away team
+// Lengths are in metres, rounded to the millimetre. Utilities have six decimals; a forbidden pair of robot and task has
+// the utility null.
 #pragma once
 
 #include <array>
@@ -23,21 +23,21 @@
 #include "match/match.hpp"
 #include "mind/mind.hpp"
 #include "mind/team_plan.hpp"
-#include "recording/segment_record.hpp"
+#include "recording/plugin_records.hpp"
 #include "texts/json_text.hpp"
 
 namespace regista::recording {
 
-// How every such file begins.
+// The first bytes of every decision log.
 inline constexpr std::string_view decision_log_begin = R"({"kind":"match",)";
 
 class DecisionLog {
  public:
-  // Takes lines, each with its end. What it throws all functions throw.
+  // Writes one line with its line end. If this function throws, all functions of DecisionLog throw the same exception.
   using Write = std::function<void(std::string_view line)>;
-  // plans: by side; they outlive the log.
+  // plans: the plans of both teams, by side; they must outlive the log.
   DecisionLog(Write write, const std::array<const mind::TeamPlan*, 2>& plans, std::uint64_t seed);
-  // To be called as match::play calls its observers.
+  // The caller must call these functions at the same moments as match::play calls its observers.
   void decided(const mind::Mind& mind, const match::Decision& turn);
   void event(double time, const match::Event& event, const match::GameState& state);
   void stepped(const match::Snapshot& snapshot);
@@ -45,14 +45,8 @@ class DecisionLog {
  private:
   void write_segments(const mind::Mind& mind, const match::Decision& turn);
 
-  // What a line was last written for.
-  struct Last {
-    int context = -2, role = -2;
-    std::vector<std::int32_t> kept, assignment;
-  };
-
   std::array<const mind::TeamPlan*, 2> plans_;
-  std::array<std::vector<Last>, 2> last_;  // by side and number
+  std::array<std::vector<LastDecision>, 2> last_;  // by side and number
   std::array<std::vector<std::string>, 2> role_names_;
   std::uint64_t steps_ = 0;
   SentSegments sent_;

@@ -1,10 +1,91 @@
 // SPDX-License-Identifier: MIT
 #include "recording/field_svg.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "mind/coordination/coordination.hpp"
+#include "texts/message.hpp"
 
 namespace regista::recording::picture {
+namespace {
+
+constexpr double farthest = 1e9;  // coordinates are clamped to +-1e9, so that no difference overflows
+
+Point bounded(const Point& p) { return {std::clamp(p[0], -farthest, farthest), std::clamp(p[1], -farthest, farthest)}; }
+
+Point between(const Point& a, const Point& b, double share) {
+  return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
+}
+
+// One edge of the rectangle. It bounds x (axis 0) or y (axis 1): inside, sign * coordinate <= sign * limit.
+struct Edge {
+  std::size_t axis;
+  double sign, limit;
+
+  double beyond(const Point& p) const { return sign * (p[axis] - limit); }
+  // Returns the point at which the line from a to b crosses the edge.
+  Point crossing(const Point& a, const Point& b) const {
+    Point out = between(a, b, beyond(a) / (beyond(a) - beyond(b)));
+    out[axis] = limit;
+    return out;
+  }
+};
+
+std::array<Edge, 4> edges(const Rectangle& r) {
+  return {{{0, -1.0, r.left}, {0, 1.0, r.right}, {1, -1.0, r.low}, {1, 1.0, r.high}}};
+}
+
+}  // namespace
+
+std::vector<std::vector<Point>> clipped_line(std::span<const Point> line, const Rectangle& to) {
+  std::vector<std::vector<Point>> out;
+  bool goes_on = false;  // true: the last piece ends where the next segment begins
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    Point a = bounded(line[i]), b = bounded(line[i + 1]);
+    bool inside = true, cut_at_end = false;
+    for (const Edge& edge : edges(to)) {
+      const double from_a = edge.beyond(a), from_b = edge.beyond(b);
+      inside = inside && (from_a <= 0.0 || from_b <= 0.0);
+      if (!inside) break;
+      if (from_a > 0.0) {
+        a = edge.crossing(a, b);
+        goes_on = false;
+      } else if (from_b > 0.0) {
+        b = edge.crossing(a, b);
+        cut_at_end = true;
+      }
+    }
+    if (!inside) {
+      goes_on = false;
+      continue;
+    }
+    if (!goes_on) out.push_back({a});
+    out.back().push_back(b);
+    goes_on = !cut_at_end;
+  }
+  return out;
+}
+
+std::vector<Point> clipped_polygon(std::span<const Point> corners, const Rectangle& to) {
+  std::vector<Point> out;
+  for (const Point& corner : corners) out.push_back(bounded(corner));
+  for (const Edge& edge : edges(to)) {
+    std::vector<Point> before;
+    before.swap(out);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const Point &a = before[i == 0 ? before.size() - 1 : i - 1], &b = before[i];
+      const double from_a = edge.beyond(a), from_b = edge.beyond(b);
+      if ((from_a > 0.0) != (from_b > 0.0)) out.push_back(edge.crossing(a, b));
+      if (from_b <= 0.0) out.push_back(b);
+    }
+  }
+  return out;
+}
 
 Html field_lines(const config::FieldSize& field, const Scale& to) {
   Html out;
@@ -31,3 +112,156 @@ Html field_lines(const config::FieldSize& field, const Scale& to) {
 }
 
 }  // namespace regista::recording::picture
+
+namespace regista::recording {
+namespace {
+
+using namespace picture;
+using mind::Vector2d;
+
+constexpr double page_width = 720.0, page_margin = 8.0, page_head = 20.0, marker = 7.0, line_height = 14.0,
+                 letter = 6.6;  // px
+
+struct Box {
+  double left, top, right, bottom;
+
+  bool meets(const Box& other) const {
+    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
+  }
+};
+
+Box around(double x, double y, double half) { return {x - half, y - half, x + half, y + half}; }
+
+// Places each label below, above, right or left of its object: at the first of these places that is still free.
+class Labels {
+ public:
+  Labels(double right, double bottom) : right_(right), bottom_(bottom) {}
+
+  void occupy(const Box& box) { taken_.push_back(box); }
+
+  Html place(double x, double y, const char* classes, const std::string& words) {
+    const double half = 0.5 * letter * static_cast<double>(words.size());
+    const std::array<Vector2d, 6> centres{
+        Vector2d(x, y + marker + 9.0),        Vector2d(x, y - marker - 9.0),  Vector2d(x + marker + 5.0 + half, y),
+        Vector2d(x - marker - 5.0 - half, y), Vector2d(x, y + marker + 22.0), Vector2d(x, y - marker - 22.0),
+    };
+    const auto box_at = [&](const Vector2d& c) {
+      return Box{c.x() - half, c.y() - 0.5 * line_height, c.x() + half, c.y() + 0.5 * line_height};
+    };
+    const auto free = std::ranges::find_if(centres, [&](const Vector2d& c) {
+      const Box box = box_at(c);
+      const bool inside = box.left >= 0.0 && box.top >= page_head && box.right <= right_ && box.bottom <= bottom_;
+      return inside && std::ranges::none_of(taken_, [&](const Box& other) { return box.meets(other); });
+    });
+    const Vector2d& centre = free == centres.end() ? centres.front() : *free;
+    occupy(box_at(centre));
+    return label(centre.x(), centre.y() + 4.0, classes, words);
+  }
+
+ private:
+  double right_, bottom_;
+  std::vector<Box> taken_;
+};
+
+void put(mind::DistributedWorldModel& world, const std::array<double, 2>& ball) {
+  world.ball_state.flags = REGISTA_BALL_KNOWN;
+  std::ranges::copy(ball, world.ball_state.position);
+}
+
+Html arrow(const Vector2d& at, const Vector2d& towards, const Scale& to) {
+  const Vector2d way = towards - at;
+  if (way.norm() < 1e-6) return {};
+  const Vector2d end = way.normalized() * (marker + 7.0);
+  return drawn(R"(<path class="facing" d="M{:.1f} {:.1f}l{:.1f} {:.1f}"/>)", to.x(at.x()), to.y(at.y()), end.x(),
+               -end.y());
+}
+
+Html line(const Vector2d& from, const Vector2d& end, const Scale& to) {
+  return drawn(R"(<path class="guide" d="M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", to.x(from.x()), to.y(from.y()),
+               to.x(end.x()), to.y(end.y()));
+}
+
+// Draws the lines, circles and points from which the rule of a single role computes its target.
+Html guides(const config::TargetRule& rule, const mind::NamedPoints& anchors, const Vector2d& target, const Scale& to) {
+  Html out;
+  if (!anchors.ball_known() && rule.without_ball) return out;
+  if (rule.on_line) out << line(anchors.at(rule.on_line->from), anchors.at(rule.on_line->to), to);
+  if (rule.on_circle) {
+    const Vector2d centre = anchors.at(rule.on_circle->centre);
+    out << line(anchors.at(rule.on_circle->from), anchors.at(rule.on_circle->towards), to)
+        << drawn(R"(<circle class="guide" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(centre.x()), to.y(centre.y()),
+                 (target - centre).norm() * to.per_metre);
+  }
+  if (rule.at) out << line(anchors.at(*rule.at), target, to);
+  return out;
+}
+
+Html region(const std::array<double, 4>& within, const Scale& to) {
+  return drawn(R"(<rect class="within" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>)", to.x(within[0]),
+               to.y(within[3]), (within[1] - within[0]) * to.per_metre, (within[3] - within[2]) * to.per_metre);
+}
+
+constexpr Markup roles_style = R"(<style>
+text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24;text-anchor:middle}
+.head{text-anchor:start;font-weight:600}
+.grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
+.role{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
+.marker{fill:#0072b2;stroke:#fff;stroke-width:1}.facing{stroke:#0072b2;stroke-width:2.5}
+.number{fill:#fff;font-size:10px;font-weight:600}
+.ball{fill:#1b1f24;stroke:#fff;stroke-width:1.5}
+.guide{fill:none;stroke:#a04a86;stroke-width:1.2;stroke-dasharray:5 4}
+.within{fill:#cc79a7;fill-opacity:.12;stroke:#a04a86;stroke-width:1.2;stroke-dasharray:2 3}
+</style>)"_html;
+
+}  // namespace
+
+std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
+  Scale to{page_margin, page_margin + page_head, 0.0, field.length / 2.0 + field.border_strip,
+           field.width / 2.0 + field.border_strip};
+  to.per_metre = (page_width - 2.0 * page_margin) / (2.0 * to.half_length);
+  const double height = 2.0 * page_margin + page_head + 2.0 * to.half_width * to.per_metre;
+
+  std::vector<std::array<double, 2>> balls(what.balls.begin(), what.balls.end());
+  const bool known = !balls.empty(), several = balls.size() > 1, alone = what.roles.size() == 1;
+  if (!known) balls.emplace_back();
+
+  Labels labels(page_width, height);
+  Html shapes, markers, names;
+  if (alone && what.roles.front()->target.within) shapes << region(*what.roles.front()->target.within, to);
+  struct Named {
+    Vector2d at;
+    const config::Role* role;
+  };
+  std::vector<Named> named;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    mind::DistributedWorldModel world(1);
+    if (known) put(world, balls[i]);
+    // The ball is at rest, so its deceleration has no influence.
+    const mind::NamedPoints anchors(field, 1.0, world);
+    for (const config::Role* role : what.roles) {
+      const Vector2d at = mind::target_of(role->target, anchors);
+      const double x = to.x(at.x()), y = to.y(at.y());
+      if (alone) shapes << guides(role->target, anchors, at, to);
+      markers << arrow(at, anchors.at(role->target.facing), to)
+              << drawn(R"(<circle class="marker" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y, marker);
+      if (several) markers << label(x, y + 3.5, "number", fmt::format("{}", i + 1));
+      labels.occupy(around(x, y, marker));
+      if (i == 0 || !several) named.push_back({at, role});
+    }
+    if (!known) continue;
+    const double x = to.x(balls[i][0]), y = to.y(balls[i][1]);
+    markers << drawn(R"(<circle class="ball" cx="{:.1f}" cy="{:.1f}" r="5"/>)", x, y);
+    labels.occupy(around(x, y, 5.0));
+    if (several) names << labels.place(x, y, "role", fmt::format("ball {}", i + 1));
+  }
+  for (const Named& each : named) {
+    names << labels.place(to.x(each.at.x()), to.y(each.at.y()), "role", texts::visible_at_most(each.role->name, 32));
+  }
+  Html out = sheet(page_width, height);
+  const std::string title =
+      fmt::format("{}: roles of {}", texts::visible_at_most(what.team, 40), texts::visible_at_most(what.of, 60));
+  out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers << names;
+  return std::string(roles_svg_begin) + '\n' + (out << "</svg>\n"_html).str();
+}
+
+}  // namespace regista::recording

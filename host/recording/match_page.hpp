@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The page that plays a recording back: the viewer's page with the file inside, so that it works alone, from disk.
+// The page that plays a recording. The page contains viewer and recording, so it works from disk without a server.
 #pragma once
 
 #include <optional>
@@ -8,11 +8,12 @@
 
 namespace regista::recording {
 
-// What a browser can still hold as one text, in bytes of the recording.
+// Largest recording (bytes) that a browser can hold as one text.
 inline constexpr std::size_t largest_recording_in_a_page = std::size_t{256} << 20;
 
-// `viewer`: the page that viewer/ was built into. `name`: of the recording, for its title. Nothing where the viewer has
-// no place for a recording: it belongs to another version.
-std::optional<std::string> match_page(std::string_view viewer, std::string_view recording, std::string_view name);
+// Returns the viewer's page with the recording in it, or nothing if the page has no place for a recording, because it
+// belongs to another version. viewer: the page built from viewer/. name: title. mark: markup for the top of the head.
+std::optional<std::string> match_page(std::string_view viewer, std::string_view recording, std::string_view name,
+                                      std::string_view mark = {});
 
 }  // namespace regista::recording

@@ -7,13 +7,12 @@
 #include <optional>
 #include <string_view>
 
-#include "match/names.hpp"
-#include "mcap/error.hpp"
+#include "match/game_state.hpp"
+#include "mcap/file_io.hpp"
 #include "mcap/writer.hpp"
 #include "mind/world/packet.hpp"
-#include "recording/drawing_record.hpp"
+#include "recording/plugin_records.hpp"
 #include "recording/schemas.hpp"
-#include "recording/segment_record.hpp"
 #include "texts/json_text.hpp"
 
 namespace regista::recording {
@@ -22,13 +21,14 @@ namespace {
 using texts::JsonText;
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
-constexpr double belief_period = 0.5;    // s
-constexpr double decision_period = 5.0;  // s: at the latest, for a matrix changes though its outcome does not
+constexpr double belief_period = 0.5;  // s
+// s; an unchanged decision is written again after this time, because its matrix may have changed.
+constexpr double decision_period = 5.0;
 
 std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
 
-// From the field frame of a team into the world frame: as it is, or turned by half a turn. What robots believe is told
-// to the centimetre and the hundredth of a radian.
+// Converts poses from a team's field frame into the world frame, by half a turn if the team attacks towards -x. Rounds
+// beliefs to 0.01 m and 0.01 rad.
 struct ToWorld {
   double direction;
 
@@ -41,7 +41,7 @@ struct ToWorld {
   }
 };
 
-// xx, xy, yy; half a turn leaves them as they are.
+// Writes a covariance as xx, xy, yy. Half a turn does not change these values.
 void covariance(JsonText& json, double xx, double xy, double yy) {
   json.open('[').number(xx, 4).number(xy, 4).number(yy, 4).close(']');
 }
@@ -54,7 +54,7 @@ void numbers_of(JsonText& json, std::uint32_t set) {
   json.close(']');
 }
 
-// A list of what `write` writes of each of `elements`.
+// Writes a list with one entry for each element.
 template <class Elements, class Write>
 void column(JsonText& json, std::string_view name, const Elements& elements, Write write) {
   json.key(name).open('[');
@@ -62,7 +62,11 @@ void column(JsonText& json, std::string_view name, const Elements& elements, Wri
   json.close(']');
 }
 
-// Robots stand in columns: a name is written once, not once for each robot, which halves the bytes.
+void integers(JsonText& json, std::string_view name, const std::vector<std::int32_t>& values) {
+  column(json, name, values, [&](std::int32_t value) { json.integer(value); });
+}
+
+// Writes robots as columns, so that each key occurs once and not once for each robot. This halves the bytes.
 void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const ToWorld& to) {
   const regista_ball& ball = snapshot.ball_state;
   json.key("ball");
@@ -90,7 +94,7 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
   });
   known("age", [&](const regista_robot& robot) { json.number(robot.age, 2); });
   known("role", [&](const regista_robot& robot) { json.integer(robot.role); });
-  column(json, "active", snapshot.active, [&](std::int32_t number) { json.integer(number); });
+  integers(json, "active", snapshot.active);
   json.close('}').key("opponents").open('{');
   column(json, "at", snapshot.opponents, [&](const regista_opponent& opponent) { to.point(json, opponent.position); });
   column(json, "covariance", snapshot.opponents, [&](const regista_opponent& opponent) {
@@ -103,24 +107,16 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
 }
 
 void placement(JsonText& json, const plugin::Placement& placement, const ToWorld& to) {
-  json.key("waypoints").open('[');
-  for (const regista_waypoint& point : placement.points) {
-    json.open('[')
-        .number(to.direction * point.x, 2)
-        .number(to.direction * point.y, 2)
-        .quantity(point.score, 4)
-        .close(']');
-  }
-  json.close(']').key("edges").open('[');
-  for (const regista_edge& edge : placement.edges) {
-    json.open('[').integer(edge.from).integer(edge.to).close(']');
-  }
-  json.close(']');
+  column(json, "waypoints", placement.points, [&](const regista_waypoint& point) {
+    json.open('[').number(to.direction * point.x, 2).number(to.direction * point.y, 2);
+    json.quantity(point.score, 4).close(']');
+  });
+  column(json, "edges", placement.edges,
+         [&](const regista_edge& edge) { json.open('[').integer(edge.from).integer(edge.to).close(']'); });
 }
 
 void tasks(JsonText& json, const mind::Decision& decision, const ToWorld& to) {
-  json.key("tasks").open('[');
-  for (const regista_task& task : decision.tasks) {
+  column(json, "tasks", decision.tasks, [&](const regista_task& task) {
     json.open('{').key("role").integer(task.id).key("before");
     to.pose(json, task.before);
     json.key("after");
@@ -130,13 +126,11 @@ void tasks(JsonText& json, const mind::Decision& decision, const ToWorld& to) {
     else
       to.pose(json, kept->after);
     json.close('}');
-  }
-  json.close(']').key("columns").open('[');
-  for (const regista_task& task : decision.columns) json.integer(task.id);
-  json.close(']');
+  });
+  column(json, "columns", decision.columns, [&](const regista_task& task) { json.integer(task.id); });
 }
 
-// Row by row; null where a pair is forbidden.
+// Writes the matrix row by row; a forbidden pair of robot and task becomes null.
 void matrix(JsonText& json, const std::vector<double>& values, std::size_t columns, int decimals) {
   json.open('[');
   for (std::size_t i = 0; columns > 0 && i + columns <= values.size(); i += columns) {
@@ -149,29 +143,27 @@ void matrix(JsonText& json, const std::vector<double>& values, std::size_t colum
 
 }  // namespace
 
-struct MatchRecording::Parts {
-  // What a decision was last written for.
+struct MatchRecording::Impl {
+  struct Channel {
+    std::optional<mcap::ChannelId> id;  // missing: no message was written yet
+    std::uint32_t count = 0;            // number of messages
+  };
   struct Last {
-    int context = -3, role = -3;  // of the last decision written; the role also of the last one at all
-    std::vector<std::int32_t> kept, assignment;
-    double decision = 0.0, belief = -1.0;  // when one was written
-    bool shares = false;                   // another has taken the same role since the last decision, or play has begun
-    mcap::ChannelId decisions{}, beliefs{};
-    std::uint32_t decision_count = 0, belief_count = 0;
+    LastDecision written;                  // the last written decision; role -1 after a crash of the robot
+    double decision = 0.0, belief = -1.0;  // s; times of the last written messages
+    bool shares = false;  // the next decision is written: another robot took the same role, or play has begun
+    Channel decisions, beliefs;
   };
 
-  Parts(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options)
+  Impl(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options)
       : plans(setup.plans),
         at_stake(options.at_stake),
         writer(file, {.library = setup.program, .replace = options.replace, .background = options.background}) {
-    const auto channel = [&](const char* topic, const char* schema, const std::string& text) {
-      return writer.add_channel(topic, "json", writer.add_schema(schema, "jsonschema", text));
-    };
-    game = channel("/game", "game", schema::game());
-    events = channel("/event", "event", schema::event());
-    plays = channel("/play", "play", schema::play());
-    packets = channel("/packet", "packet", schema::packet());
-    heard = channel("/heard", "heard", schema::heard());
+    add(game, "game", schema::game);
+    add(events, "event", schema::event);
+    add(plays, "play", schema::play);
+    add(packets, "packet", schema::packet);
+    add(heard, "heard", schema::heard);
     const auto decision = writer.add_schema("decision", "jsonschema", schema::decision());
     const auto belief = writer.add_schema("belief", "jsonschema", schema::belief());
     for (const match::Side side : match::both_sides) {
@@ -185,35 +177,36 @@ struct MatchRecording::Parts {
       with_common[match::index(side)] = std::ranges::any_of(plan.team().contexts, &config::Context::uses_common);
       for (std::size_t i = 0; i < robots.size(); ++i) {
         const std::string whose = std::string("/") + match::name(side) + '/' + std::to_string(i + 1);
-        robots[i].decisions = writer.add_channel("/decision" + whose, "json", decision);
-        robots[i].beliefs = writer.add_channel("/belief" + whose, "json", belief);
+        robots[i].decisions.id = writer.add_channel("/decision" + whose, "json", decision);
+        robots[i].beliefs.id = writer.add_channel("/belief" + whose, "json", belief);
       }
     }
-    // Outside of chunks: it is found even when the match ends by a crash in its first seconds.
-    writer.write(mcap::Metadata{about_record, about(setup)});
+    // The file must have its metadata even after a crash in the first seconds, so they are written outside of chunks.
+    writer.write(mcap::Metadata{match_metadata_name, match_metadata(setup)});
   }
 
   ToWorld to_world(match::Side side) const { return {match::attack(side, half)}; }
 
-  void write(mcap::ChannelId channel, double time, std::uint32_t& sequence) {
+  void add(Channel& channel, const std::string& name, std::string (*schema)()) {
+    channel.id = writer.add_channel('/' + name, "json", writer.add_schema(name, "jsonschema", schema()));
+  }
+  void write(Channel& channel, double time) {
     const std::uint64_t when = nanoseconds(time);
-    writer.write(mcap::Message{channel, sequence++, when, when, json.text()});
+    writer.write(mcap::Message{*channel.id, channel.count++, when, when, json.text()});
+  }
+  // Adds the channel with its first message, because most matches do not need this channel.
+  void write(Channel& channel, double time, const char* name, std::string (*schema)()) {
+    if (!channel.id) add(channel, name, schema);
+    write(channel, time);
   }
 
   void begin(double time) {
     json.clear();
     json.open('{').key("time").number(time);
   }
-
-  // A channel that most matches do not need is added with its first message.
-  mcap::ChannelId channel(std::optional<mcap::ChannelId>& known, const char* topic, const char* schema,
-                          std::string (*text)()) {
-    if (!known) known = writer.add_channel(topic, "json", writer.add_schema(schema, "jsonschema", text()));
-    return *known;
-  }
-  void begin_of_plugin(double time, match::Side side, int robot, const char* plugin) {
+  void begin_of_robot(double time, match::Side side, int robot) {
     begin(time);
-    json.key("side").word(match::name(side)).key("robot").integer(robot).key("plugin").word(plugin);
+    json.key("side").word(match::name(side)).key("robot").integer(robot);
   }
 
   void write_segments(const mind::Mind& mind, const match::Decision& turn);
@@ -226,58 +219,56 @@ struct MatchRecording::Parts {
   double at_stake;
   mcap::Writer writer;
   JsonText json;
-  mcap::ChannelId game{}, events{}, plays{}, packets{}, heard{};
-  std::optional<mcap::ChannelId> segment_channel, log_channel, draw_channel;
-  std::uint32_t game_count = 0, event_count = 0, play_count = 0, packet_count = 0, heard_count = 0, segment_count = 0,
-                log_count = 0, draw_count = 0;
+  Channel game, events, plays, packets, heard, segments, log, drawings;
   std::array<mind::PacketLimits, 2> limits;
-  std::array<bool, 2> with_common{};  // a context of the team uses what all can know
-  std::vector<mind::Segment> segments;
+  std::array<bool, 2> with_common{};  // true: a context of the team uses the common world
+  std::vector<mind::Segment> heard_segments;
   SentSegments sent;
   DrawnLayers layers;
-  std::array<std::vector<Last>, 2> last;  // by side and number
+  std::array<std::vector<Last>, 2> last;  // by side and number - 1
   std::uint64_t steps = 0;
   double chunk_began = 0.0;
   int half = 1;
   mind::Phase phase = mind::Phase::initial;
 };
 
-void MatchRecording::Parts::write_segments(const mind::Mind& mind, const match::Decision& turn) {
+void MatchRecording::Impl::write_segments(const mind::Mind& mind, const match::Decision& turn) {
   for (const mind::SegmentEvent& event : mind.segments()) {
     const std::uint64_t handle = sent.follow(turn.side, mind.number(), event);
     begin(turn.time);
     recording::write(json, {turn.side, mind.number(), event, handle, turn.packet_charged});
     json.close('}');
-    write(channel(segment_channel, "/segment", "segment", schema::segment), turn.time, segment_count);
+    write(segments, turn.time, "segment", schema::segment);
   }
 }
 
-void MatchRecording::Parts::write_log(const mind::Mind& mind, const match::Decision& turn) {
+void MatchRecording::Impl::write_log(const mind::Mind& mind, const match::Decision& turn) {
   for (const mind::LogLine& line : mind.log()) {
-    begin_of_plugin(turn.time, turn.side, mind.number(), line.plugin);
-    json.key("place").integer(line.place).key("tick").integer(static_cast<std::int64_t>(line.tick));
+    begin_of_robot(turn.time, turn.side, mind.number());
+    json.key("plugin").word(line.plugin).key("place").integer(line.place);
+    json.key("tick").integer(static_cast<std::int64_t>(line.tick));
     json.key("level").word(mind::level_name(line.level)).key("text").string(line.text).close('}');
-    write(channel(log_channel, "/log", "log", schema::log), turn.time, log_count);
+    write(log, turn.time, "log", schema::log);
   }
 }
 
-void MatchRecording::Parts::write_drawings(const mind::Mind& mind, const match::Decision& turn) {
+void MatchRecording::Impl::write_drawings(const mind::Mind& mind, const match::Decision& turn) {
   const double direction = match::attack(turn.side, half);
   for (const DrawnLayers::Change& each :
        layers.follow(turn.side, mind.number(), turn.time, mind.drawings(), direction)) {
-    begin_of_plugin(turn.time, turn.side, mind.number(), each.plugin);
-    json.key("layer").string(each.layer).key("shapes").json(each.shapes).close('}');
-    write(channel(draw_channel, "/draw", "draw", schema::draw), turn.time, draw_count);
+    begin_of_robot(turn.time, turn.side, mind.number());
+    json.key("plugin").word(each.plugin).key("layer").string(each.layer).key("shapes").json(each.shapes).close('}');
+    write(drawings, turn.time, "draw", schema::draw);
   }
 }
 
-void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time) {
+void MatchRecording::Impl::write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time) {
   const mind::Decision& decision = mind.decision();
   const ToWorld to = to_world(side);
   begin(time);
   json.key("context").integer(decision.context);
   if (decision.context < 0) {
-    // Nothing was decided; what stands in the decision is of an earlier one.
+    // Without a context the robot decided nothing, and `decision` still has values of an earlier decision.
     json.key("knowledge").word("mine");
     for (const char* empty : {"waypoints", "edges", "tasks", "columns", "rows", "utility", "terms"}) {
       json.key(empty).open('[').close(']');
@@ -287,24 +278,19 @@ void MatchRecording::Parts::write_decision(Last& robot, match::Side side, const 
     json.key("knowledge").word(common ? "common" : "mine");
     placement(json, decision.placement, to);
     tasks(json, decision, to);
-    json.key("rows").open('[');
-    for (const std::int32_t number : (common ? mind.world().common() : mind.world().mine()).active)
-      json.integer(number);
+    integers(json, "rows", (common ? mind.world().common() : mind.world().mine()).active);
     const std::size_t columns = decision.columns.size();
-    json.close(']').key("utility");
+    json.key("utility");
     matrix(json, decision.utility.values(), columns, 5);
-    json.key("terms").open('[');
-    for (const std::vector<double>& term : decision.utility.terms()) matrix(json, term, columns, 4);
-    json.close(']');
+    column(json, "terms", decision.utility.terms(), [&](const auto& term) { matrix(json, term, columns, 4); });
   }
-  json.key("assigned").open('[');
-  for (const std::int32_t row : decision.role_of) json.integer(row);
-  json.close(']').key("role").integer(decision.own_role);
+  integers(json, "assigned", decision.role_of);
+  json.key("role").integer(decision.own_role);
   json.key("since").number(decision.own_role < 0 ? 0.0 : decision.own_role_since).close('}');
-  write(robot.decisions, time, robot.decision_count);
+  write(robot.decisions, time);
 }
 
-void MatchRecording::Parts::write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time) {
+void MatchRecording::Impl::write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time) {
   const ToWorld to = to_world(side);
   const regista_track& self = mind.world().local().self();
   begin(time);
@@ -320,60 +306,51 @@ void MatchRecording::Parts::write_belief(Last& robot, match::Side side, const mi
     json.close('}');
   }
   json.close('}');
-  write(robot.beliefs, time, robot.belief_count);
+  write(robot.beliefs, time);
 }
 
 MatchRecording::MatchRecording(const std::filesystem::path& file, const RecordedSetup& setup, const Options& options)
-    : parts_(std::make_unique<Parts>(file, setup, options)) {}
+    : parts_(std::make_unique<Impl>(file, setup, options)) {}
 
 MatchRecording::~MatchRecording() {
   try {
     if (parts_) parts_->writer.close();
   } catch (const mcap::Error&) {
-    // Whoever wanted to know has called close().
+    // The destructor hides errors. A caller that needs errors calls close() before.
   }
 }
 
 void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn) {
   const match::Side side = turn.side;
   const double time = turn.time;
-  Parts& parts = *parts_;
-  Parts::Last& last = parts.last[match::index(side)][static_cast<std::size_t>(mind.number() - 1)];
+  Impl& parts = *parts_;
+  Impl::Last& last = parts.last[match::index(side)][static_cast<std::size_t>(mind.number() - 1)];
   const mind::Decision& decision = mind.decision();
-  const bool role_changed = last.role != decision.own_role;
+  const bool role_changed = last.written.role != decision.own_role;
   for (const mind::HeardPacket& packet : turn.heard) {
-    const auto report = mind::decode(packet.bytes, parts.limits[match::index(side)], parts.segments);
+    const auto report = mind::decode(packet.bytes, parts.limits[match::index(side)], parts.heard_segments);
     if (!report) continue;
-    parts.begin(packet.time_heard);
-    parts.json.key("side").word(match::name(side)).key("robot").integer(mind.number());
+    parts.begin_of_robot(packet.time_heard, side, mind.number());
     parts.json.key("sender").integer(report->sender).key("sent").number(report->time_sent).close('}');
-    parts.write(parts.heard, packet.time_heard, parts.heard_count);
+    parts.write(parts.heard, packet.time_heard);
   }
   if (turn.packet_charged) {
-    parts.begin(time);
-    parts.json.key("side").word(match::name(side)).key("robot").integer(mind.number());
+    parts.begin_of_robot(time, side, mind.number());
     parts.json.key("reason").word(parts.plans[match::index(side)]->reason(turn.outcome.send_reason));
     parts.json.key("bytes").integer(static_cast<std::int64_t>(turn.outcome.packet.size())).close('}');
-    parts.write(parts.packets, time, parts.packet_count);
+    parts.write(parts.packets, time);
   }
   parts.write_segments(mind, turn);
   parts.write_log(mind, turn);
   parts.write_drawings(mind, turn);
-  const bool kept_same = std::ranges::equal(last.kept, decision.columns, {}, {}, &regista_task::id);
-  const bool changed =
-      !kept_same || role_changed || last.context != decision.context || last.assignment != decision.role_of;
   if (role_changed && decision.own_role >= 0) {
-    // What did those compute who hold the role? Their next decision shows it.
-    for (Parts::Last& other : parts.last[match::index(side)]) other.shares |= other.role == decision.own_role;
+    // Another robot may hold this role already. The next decisions of such robots are written, too.
+    for (Impl::Last& other : parts.last[match::index(side)]) other.shares |= other.written.role == decision.own_role;
   }
-  if (changed || last.shares || time - last.decision >= decision_period - 1e-9) {
+  if (!last.written.is(decision) || last.shares || time - last.decision >= decision_period - 1e-9) {
     last.shares = false;
     last.decision = time;
-    last.context = decision.context;
-    last.role = decision.own_role;
-    last.assignment = decision.role_of;
-    last.kept.clear();
-    for (const regista_task& task : decision.columns) last.kept.push_back(task.id);
+    last.written.take(decision);
     parts.write_decision(last, side, mind, time);
   }
   if (role_changed || last.belief < 0.0 || time - last.belief >= belief_period - 1e-9) {
@@ -383,17 +360,17 @@ void MatchRecording::decided(const mind::Mind& mind, const match::Decision& turn
 }
 
 void MatchRecording::event(double time, const match::Event& event, const match::GameState& state) {
-  Parts& parts = *parts_;
+  Impl& parts = *parts_;
   parts.begin(time);
   parts.json.key("event").word(match::word(event.kind)).key("side").word(match::name(event.side));
   parts.json.key("robot").integer(event.number);
   if (event.offence != match::Offence::none) parts.json.key("offence").word(match::word(event.offence));
   parts.json.key("score").open('[').integer(state.goals[0]).integer(state.goals[1]).close(']').close('}');
-  parts.write(parts.events, time, parts.event_count);
+  parts.write(parts.events, time);
 }
 
 void MatchRecording::play(double time, const match::PlayEvent& event) {
-  Parts& parts = *parts_;
+  Impl& parts = *parts_;
   JsonText& json = parts.json;
   parts.begin(time);
   json.key("kind").word(match::name(event.kind)).key("side").word(match::name(event.side));
@@ -405,11 +382,11 @@ void MatchRecording::play(double time, const match::PlayEvent& event) {
     json.key("opponent").integer(event.opponent).key("duration").number(event.duration);
   }
   json.close('}');
-  parts.write(parts.plays, time, parts.play_count);
+  parts.write(parts.plays, time);
 }
 
 void MatchRecording::stepped(const match::Snapshot& snapshot) {
-  Parts& parts = *parts_;
+  Impl& parts = *parts_;
   if (snapshot.time - parts.chunk_began >= parts.at_stake - 1e-9) {
     parts.writer.finish_chunk();
     parts.chunk_began = snapshot.time;
@@ -418,10 +395,10 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
   parts.half = state.half;
   const bool began = state.phase == mind::Phase::playing && parts.phase != mind::Phase::playing;
   parts.phase = state.phase;
-  for (int id = 0; std::vector<Parts::Last> & side : parts.last) {
-    for (Parts::Last& robot : side) {
-      robot.shares |= began;  // from now on it counts who shares a role
-      if (snapshot.crashed >> id++ & 1u) robot.role = -1;
+  for (int id = 0; std::vector<Impl::Last> & side : parts.last) {
+    for (Impl::Last& robot : side) {
+      robot.shares |= began;  // the next decision of every robot is written when play begins
+      if (snapshot.crashed >> id++ & 1u) robot.written.role = -1;
     }
   }
   if (++parts.steps % game_steps != 0) return;
@@ -459,11 +436,11 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
   json.key("roles").open('[');
   for (const auto& side : parts.last) {
     json.open('[');
-    for (const Parts::Last& robot : side) json.integer(std::max(robot.role, REGISTA_UNKNOWN_TASK + 0));
+    for (const Impl::Last& robot : side) json.integer(std::max(robot.written.role, REGISTA_UNKNOWN_TASK + 0));
     json.close(']');
   }
   json.close(']').close('}');
-  parts.write(parts.game, snapshot.time, parts.game_count);
+  parts.write(parts.game, snapshot.time);
 }
 
 void MatchRecording::close() { parts_->writer.close(); }

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "recording/moment_parts.hpp"
-#include "texts/visible.hpp"
+#include "recording/moment_svg.hpp"
+#include "texts/message.hpp"
 
 namespace regista::recording::moment {
 namespace {
 
-// White for the smallest, blue for the largest; ink that can be read on it.
+// Returns a fill colour between white (share 0) and blue (share 1).
 Html heat(double share) {
   const auto mix = [&](double light, double dark) { return static_cast<int>(light + share * (dark - light)); };
   return drawn(R"( fill="#{:02x}{:02x}{:02x}")", mix(246, 0), mix(249, 90), mix(252, 156));
@@ -59,7 +59,7 @@ Html matrix(const RecordedDecision& decision, const RecordedTeam& team, int own_
   return out;
 }
 
-// The terms behind the own row.
+// Draws the terms of the utilities in the robot's own row of the matrix.
 Html own_terms(const RecordedDecision& decision, const RecordedTeam& team, int own_number, Table& table) {
   const auto own = std::ranges::find(decision.rows, own_number);
   const auto context = static_cast<std::size_t>(decision.context);
@@ -81,14 +81,14 @@ Html own_terms(const RecordedDecision& decision, const RecordedTeam& team, int o
   return out;
 }
 
-// As much of a text in one line as so many columns of a typewriter take.
+// Returns the text in one line, cut to at most `columns` columns of a fixed-width font.
 std::string fitting(const std::string& words, std::size_t columns) {
   const std::string seen = visible(words);
   const auto begins = [&](std::size_t i) { return (static_cast<unsigned char>(seen[i]) & 0xc0) != 0x80; };
-  // From U+3000 on most are as wide as two.
+  // Most characters from U+3000 on take two columns.
   const auto width = [&](std::size_t i) { return static_cast<unsigned char>(seen[i]) >= 0xe3 ? 2u : 1u; };
   constexpr std::size_t dots = 3;
-  std::size_t used = 0, end = 0;  // end: how much would stand before dots
+  std::size_t used = 0, end = 0;  // end: bytes that fit before the dots
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!begins(i)) continue;
     if (used + dots <= columns) end = i;
@@ -98,9 +98,9 @@ std::string fitting(const std::string& words, std::size_t columns) {
   return seen;
 }
 
-// The lines of the log. What is a warning or an error says so: colour alone would not tell everybody.
+// Draws the lines of the log. Words mark warnings and errors, because some readers see no colours.
 Panel log_lines(const std::vector<RecordedLogLine>& lines, double left, double top) {
-  constexpr std::size_t columns = 62;  // of 6.6 px
+  constexpr std::size_t columns = 62;  // columns of 6.6 px
   Panel out{{}, top};
   if (lines.empty()) return out;
   out.drawing << label(left, out.bottom, "heading", "Log of its plugins");
@@ -117,7 +117,7 @@ Panel log_lines(const std::vector<RecordedLogLine>& lines, double left, double t
   return out;
 }
 
-// The decision, the matrix and its terms.
+// Draws the robot's decision, the utility estimation matrix and its terms.
 Panel why(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top) {
   const RecordedTeam& team = match.teams()[static_cast<std::size_t>(robot.side)];
   Html out;

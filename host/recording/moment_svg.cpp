@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "recording/moment_svg.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
+#include <charconv>
 #include <numbers>
+#include <string_view>
+#include <system_error>
 
-#include "recording/moment_parts.hpp"
-#include "texts/visible.hpp"
+#include "config/errors.hpp"
 
 namespace regista::recording {
 namespace {
@@ -22,7 +20,7 @@ std::string words_of(std::string name) {
   return name;
 }
 
-// Two standard deviations.
+// Draws an ellipse of two standard deviations.
 Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
   const double mean = (c.xx + c.yy) / 2.0, apart = std::hypot((c.xx - c.yy) / 2.0, c.xy);
   const double angle = 0.5 * std::atan2(2.0 * c.xy, c.xx - c.yy);
@@ -33,7 +31,7 @@ Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
                to.x(x), to.y(y), longer * to.per_metre, shorter * to.per_metre, -angle * 180.0 / std::numbers::pi);
 }
 
-// The home team's robots are discs, the away team's squares. `kind`: a class of the style sheet.
+// Draws home robots as discs and away robots as squares. kind: a class of the style sheet.
 Html robot_shape(const RecordedPose& pose, double radius, int side, int number, const char* kind, const Scale& to) {
   const double x = to.x(pose.x), y = to.y(pose.y), r = radius * to.per_metre, half = 0.9 * r;
   Html out = drawn(R"(<g class="{}">)", kind);
@@ -105,7 +103,7 @@ Html believed(const RecordedWorld& world, const RecordedPose& own, const Recorde
                  to.y(world.ball->y))
         << label(to.x(world.ball->x), to.y(world.ball->y) - 9.0, "age", fmt::format("ball, {:.1f} s", world.ball->age));
   }
-  // Itself: where it is not, as it were.
+  // The ghost is the robot at the pose that it believes to have.
   return out << robot_shape(own, team.robot_radius, robot.side, robot.number, "ghost mate itself", to) << "</g>"_html;
 }
 
@@ -214,6 +212,106 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
     out << truth(match, game, robot, to);
   }
   return (out << "</svg>\n"_html).str();
+}
+
+namespace {
+
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number out{};
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
+  return out;
+}
+
+}  // namespace
+
+Moment parse_moment(const std::string& typed) {
+  const auto refuse = [&] {
+    throw config::BadInput(
+        fmt::format("--at: {}; wanted is the time since the match began, 7:42 or 462.3, or the clock of a half, 2/7:42",
+                    texts::in_quotes(typed)));
+  };
+  Moment out;
+  out.typed = typed;
+  std::string_view rest = typed;
+  if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
+    const auto half = number_in<int>(rest.substr(0, slash));
+    if (!half || *half < 1 || *half > 99) refuse();
+    out.half = *half;
+    rest.remove_prefix(slash + 1);
+  }
+  double minutes = 0.0;
+  if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
+    const auto whole = number_in<int>(rest.substr(0, colon));
+    if (!whole || *whole < 0) refuse();
+    minutes = *whole;
+    rest.remove_prefix(colon + 1);
+  }
+  const auto seconds = number_in<double>(rest);
+  if (!seconds || !(*seconds >= 0.0) || *seconds > 1e6) refuse();
+  // The seconds need two digits, because 7:4 could mean 7:40 or 7:04.
+  const bool two_digits = rest.size() == 2 || (rest.size() > 2 && rest[2] == '.');
+  if (typed.find(':') != std::string::npos && (*seconds >= 60.0 || !two_digits)) refuse();
+  out.seconds = 60.0 * minutes + *seconds;
+  return out;
+}
+
+RobotName parse_robot(const std::string& typed, int team_size) {
+  std::string_view rest = typed;
+  RobotName out;
+  if (rest.starts_with("home/")) {
+    rest.remove_prefix(5);
+  } else if (rest.starts_with("away/")) {
+    out.side = 1;
+    rest.remove_prefix(5);
+  }
+  const auto number = number_in<int>(rest);
+  if (!number || *number < 1 || *number > team_size) {
+    throw config::BadInput(fmt::format("--robot: {}; wanted is 1 to {}, home/1 to home/{} or away/1 to away/{}",
+                                       texts::in_quotes(typed), team_size, team_size, team_size));
+  }
+  out.number = *number;
+  return out;
+}
+
+void keep_layers(std::vector<RecordedDrawing>& drawings, const std::vector<std::string>& typed) {
+  if (typed.empty()) return;
+  const auto is_meant = [](const RecordedDrawing& drawing, const std::string& name) {
+    return name == drawing.layer || name == drawing.name();
+  };
+  for (const std::string& name : typed) {
+    if (std::ranges::any_of(drawings, [&](const auto& drawing) { return is_meant(drawing, name); })) continue;
+    if (drawings.empty()) {
+      throw config::BadInput(
+          fmt::format("--layer {}: no plugin of this robot has drawn anything by then", texts::in_quotes(name)));
+    }
+    // Known names get the form of the typed name, "cells" or "voronoi: cells", so that the message can suggest them.
+    constexpr std::size_t longest = 60;
+    const bool with_plugin = name.find(": ") != std::string::npos;
+    std::vector<std::string> known;
+    for (const RecordedDrawing& drawing : drawings) {
+      const std::string each = texts::visible_at_most(with_plugin ? drawing.name() : drawing.layer, longest);
+      if (std::ranges::find(known, each) == known.end()) known.push_back(each);
+    }
+    throw config::BadInput("--layer: " + texts::unknown("layer", name, "the drawings of this robot", known));
+  }
+  for (RecordedDrawing& drawing : drawings) {
+    const bool kept = std::ranges::any_of(typed, [&](const std::string& name) { return is_meant(drawing, name); });
+    if (!kept) drawing.shapes.clear();
+  }
+}
+
+double time_of(const RecordedMatch& match, const Moment& moment) {
+  if (moment.half == 0) {
+    if (moment.seconds <= match.end() + 1e-9) return std::max(moment.seconds, match.begin());
+    throw config::BadInput(fmt::format("--at {}: the recording ends at {:.1f} s", moment.typed, match.end()));
+  }
+  if (const auto time = match.time_of(moment.half, moment.seconds)) return *time;
+  throw config::BadInput(
+      fmt::format("--at {}: the clock of half {} does not show that in this recording, which ends {:.1f} s "
+                  "after the match began",
+                  moment.typed, moment.half, match.end()));
 }
 
 }  // namespace regista::recording

@@ -1,17 +1,108 @@
 // SPDX-License-Identifier: MIT
 #include "recording/recorded_match.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <map>
+#include <fmt/format.h>
 
-#include "mcap/error.hpp"
-#include "recording/about.hpp"
-#include "recording/recorded_json.hpp"
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "config/errors.hpp"
+#include "mcap/reader.hpp"
+#include "mcap/writer.hpp"
+#include "recording/recording_metadata.hpp"
 #include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::recording {
 namespace {
+
+// Thrown for a message with correct types but impossible values.
+struct Senseless {};
+
+void require(bool holds) {
+  if (!holds) throw Senseless();
+}
+
+// Returns a whole number. The JSON library's own conversion is undefined for a number outside of the range of int.
+int whole(const nlohmann::json& json) {
+  require(json.is_number_integer());
+  const bool fits = json.is_number_unsigned() ? std::in_range<int>(json.get<std::uint64_t>())
+                                              : std::in_range<int>(json.get<std::int64_t>());
+  require(fits);
+  return static_cast<int>(json.get<std::int64_t>());
+}
+
+// Returns the JSON of the keys that name the robot of a message. Our writers put these keys before the key `rest`, so
+// the long remainder is not parsed. If a key is missing before `rest`, the whole message is parsed.
+nlohmann::json heading_of(std::string_view message, std::string_view rest, std::initializer_list<const char*> keys) {
+  const std::string first = std::string(message.substr(0, message.find(rest))) + '}';
+  nlohmann::json out = nlohmann::json::parse(first, nullptr, false);
+  const bool has_all = out.is_object() && std::ranges::all_of(keys, [&](const char* key) { return out.contains(key); });
+  return has_all ? out : nlohmann::json::parse(message);
+}
+
+bool is_of(const RobotName& robot, const nlohmann::json& heading) {
+  const std::string side = heading.at("side").get<std::string>();
+  const int number = whole(heading.at("robot"));
+  require(number >= 0 && (side == "home" || side == "away"));
+  return number == robot.number && side == (robot.side == 0 ? "home" : "away");
+}
+
+RecordedColour colour(const std::string& text) {
+  require(text.size() == 9 && text[0] == '#');
+  std::uint32_t value = 0;
+  const auto [rest, error] = std::from_chars(text.data() + 1, text.data() + text.size(), value, 16);
+  require(error == std::errc() && rest == text.data() + text.size());
+  const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>(value >> shift & 255u); };
+  return {byte(24), byte(16), byte(8), byte(0)};
+}
+
+RecordedShape::Kind kind(const std::string& word) {
+  using Kind = RecordedShape::Kind;
+  if (word == "points") return Kind::points;
+  if (word == "line") return Kind::line;
+  if (word == "polygon") return Kind::polygon;
+  require(word == "text");
+  return Kind::text;
+}
+
+RecordedShape shape(const nlohmann::json& json) {
+  RecordedShape out;
+  out.kind = kind(json.at("shape").get<std::string>());
+  const nlohmann::json& at = json.at("at");
+  require(at.is_array());
+  for (const nlohmann::json& point : at) {
+    require(point.size() == 2);
+    out.at.push_back({point.at(0), point.at(1)});
+  }
+  if (json.contains("colour")) out.colour = colour(json.at("colour").get<std::string>());
+  if (json.contains("width")) {
+    out.width = json.at("width").get<double>();
+    require(*out.width >= 0.0);
+  }
+  if (json.contains("filled")) json.at("filled").get_to(out.filled);
+  if (out.kind == RecordedShape::Kind::text) {
+    require(out.at.size() == 1);
+    json.at("text").get_to(out.text);
+  }
+  return out;
+}
+
+std::vector<RecordedShape> shapes(const std::string& message) {
+  const nlohmann::json parsed = nlohmann::json::parse(message);
+  const nlohmann::json& all = parsed.at("shapes");
+  require(all.is_array());
+  std::vector<RecordedShape> out;
+  for (const nlohmann::json& each : all) out.push_back(shape(each));
+  return out;
+}
 
 constexpr std::size_t most_robots = 22;
 constexpr std::size_t most_log_lines = 5;
@@ -156,11 +247,13 @@ std::uint64_t clamped_nanoseconds(double seconds) {
   return static_cast<std::uint64_t>(std::llround(std::clamp(seconds, 0.0, 1e9) * 1e9));
 }
 
-// The next message that can be read; what cannot is noted in `damage`, the first of it.
+// Reads the next readable message. `damage` receives the first error on the way. Throws mcap::Unsortable.
 bool next(mcap::Reader& reader, mcap::Message& message, std::string& damage) {
   for (;;) {
     try {
       return reader.next(message);
+    } catch (const mcap::Unsortable&) {
+      throw;
     } catch (const mcap::Error& error) {
       if (damage.empty()) damage = error.what();
     }
@@ -177,21 +270,85 @@ auto reading(const std::filesystem::path& file, const std::string& what, Read re
   throw mcap::Error(file, "is damaged: " + what + " cannot be read");
 }
 
+// The present drawing of a layer may be minutes old, because only changes are recorded. Of thousands of messages only
+// the last one of each layer counts. Therefore the class keeps messages as text and parses only the last ones
+// completely. DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
+class DrawingsOfRobot {
+ public:
+  explicit DrawingsOfRobot(const RobotName& robot) : robot_(robot) {}
+  // The caller must pass all messages of /draw from the beginning of the match.
+  void take(std::string_view message) {
+    const nlohmann::json heading = heading_of(message, R"(,"shapes":)", {"side", "robot", "plugin", "layer"});
+    const std::pair layer(heading.at("plugin").get<std::string>(), heading.at("layer").get<std::string>());
+    if (!is_of(robot_, heading)) return;
+    const auto [place, added] = places_.try_emplace(layer, messages_.size());
+    if (added) messages_.emplace_back();
+    messages_[place->second] = message;
+  }
+  std::vector<RecordedDrawing> drawings() const {
+    std::vector<RecordedDrawing> out(messages_.size());
+    for (const auto& [layer, place] : places_) out[place] = {layer.first, layer.second, shapes(messages_[place])};
+    return out;
+  }
+
+ private:
+  RobotName robot_;
+  std::map<std::pair<std::string, std::string>, std::size_t> places_;  // key: plugin and layer
+  std::vector<std::string> messages_;                                  // last message of each layer, at its place
+};
+
+class LogOfRobot {
+ public:
+  explicit LogOfRobot(const RobotName& robot) : robot_(robot) {}
+  void take(std::string_view message) {
+    if (!is_of(robot_, heading_of(message, R"(,"plugin":)", {"side", "robot"}))) return;
+    last_.emplace_back(message);
+    if (last_.size() > most_log_lines) last_.pop_front();
+  }
+  std::vector<RecordedLogLine> lines() const {
+    std::vector<RecordedLogLine> out;
+    for (const std::string& message : last_) {
+      const nlohmann::json json = nlohmann::json::parse(message);
+      out.push_back({json.at("time"), json.at("plugin"), json.at("level"), json.at("text")});
+    }
+    return out;
+  }
+
+ private:
+  RobotName robot_;
+  std::deque<std::string> last_;
+};
+
 }  // namespace
 
 RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   mcap::Reader reader(file);
-  reader.select({.topics = {"/game"}});
-  // All of the game's states, for the last one is wanted; of a file without a summary, this also finds who played.
+  // Reads all messages to find the first and the last state of the game, and messages that are not in the order of
+  // time. In a file without a summary this also finds the metadata.
   mcap::Message message;
   std::string first, last;
+  std::uint64_t latest = 0, log_end = 0;
   while (next(reader, message, damage_)) {
+    const std::string& topic = reader.channels().at(message.channel).topic;
+    if (topic == "/heard")
+      continue;  // robots write these messages when they decide, some time after the packet arrived
+    in_order_ = in_order_ && latest <= message.log_time;
+    latest = std::max(latest, message.log_time);
+    if (topic != "/game") continue;
+    if (first.empty() || message.log_time < log_begin_) {
+      first = message.data;
+      log_begin_ = message.log_time;
+    }
+    if (message.log_time < log_end) continue;
     last = message.data;
-    if (first.empty()) first = last;
+    log_end = message.log_time;
   }
   if (reader.cut_off() && damage_.empty()) damage_ = *reader.cut_off();
-  const mcap::Pairs* const about = about_in(reader);
-  if (about == nullptr && !damage_.empty()) throw mcap::Error(file, "breaks off before it says who plays");
+  const auto because = [&](const char* what) {  // an error names the first cause, not only its consequence
+    return damage_.empty() ? what : damage_.substr(file.string().size() + 2) + "; " + what;
+  };
+  const mcap::Pairs* const about = match_metadata_in(reader);
+  if (about == nullptr && !damage_.empty()) throw mcap::Error(file, because("what says who plays cannot be read"));
   if (about == nullptr) {
     throw mcap::Error(file, "is no recording of a match; `regista match A.yaml B.yaml --record FILE` writes one");
   }
@@ -204,7 +361,7 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
     throw mcap::Error(file, "has format " + format + " of " + value("program") + "; this program reads format " +
                                 std::to_string(recording_format));
   }
-  if (last.empty()) throw mcap::Error(file, "ends before the first state of the game was written");
+  if (last.empty()) throw mcap::Error(file, because("holds no state of the game"));
   reading(file, "who plays", [&] {
     field_ = recording::field(nlohmann::json::parse(value("field")));
     ball_radius_ = nlohmann::json::parse(value("ball_radius")).get<double>();
@@ -215,11 +372,41 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   end_ = ending.time;
   begin_ = reading(file, "the first state of the game", [&] { return game(nlohmann::json::parse(first)).time; });
   team_size_ = static_cast<int>(ending.robots[0].size());
+  const std::uint64_t begin = clamped_nanoseconds(begin_);
+  // Messages contain times in whole milliseconds, so a smaller difference means nothing.
+  if (std::max(begin, log_begin_) - std::min(begin, log_begin_) < 1'000'000) log_begin_ = begin;
+  fits_page_ = in_order_ && log_begin_ == begin && !reader.has_lz4();
+}
+
+// Converts s since the match began. Log times may count from any beginning, such as 1970.
+std::uint64_t RecordedMatch::log_time(double time) const {
+  const std::uint64_t away = clamped_nanoseconds(std::abs(time - begin_));
+  if (time < begin_) return log_begin_ - std::min(away, log_begin_);
+  return log_begin_ + std::min(away, std::numeric_limits<std::uint64_t>::max() - log_begin_);
+}
+
+void RecordedMatch::write_for_page(const std::filesystem::path& to) const {
+  mcap::Reader reader(file_);
+  reader.select({.by_time = !in_order_ || !reader.indexed()});  // the index knows the metadata beforehand
+  mcap::Writer writer(to);
+  std::map<mcap::ChannelId, mcap::ChannelId> channels;  // of the copy, by channel of this file
+  for (mcap::Message message; reader.next(message);) {
+    if (channels.empty()) std::ranges::for_each(reader.metadata(), [&](const auto& each) { writer.write(each); });
+    const auto [channel, added] = channels.try_emplace(message.channel);
+    const mcap::Channel& here = reader.channels().at(message.channel);
+    if (added) channel->second = writer.add_channel(here.topic, here.message_encoding);
+    message.channel = channel->second;
+    const std::uint64_t since_begin = message.log_time + clamped_nanoseconds(begin_);
+    message.log_time = since_begin - std::min(since_begin, log_begin_);
+    writer.write(message);
+  }
+  writer.finish_chunk();
+  if (!reader.cut_off()) writer.close();
 }
 
 std::optional<double> RecordedMatch::time_of(int half, double clock) const {
   mcap::Reader reader(file_);
-  reader.select({.topics = {"/game"}});
+  reader.select({.topics = {"/game"}, .by_time = true});
   mcap::Message message;
   std::string told_before;
   while (next(reader, message, told_before)) {
@@ -235,15 +422,15 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
       robot ? (robot->side == 0 ? "/home/" : "/away/") + std::to_string(robot->number) : std::string();
   const std::string decisions = "/decision" + whose, beliefs = "/belief" + whose;
   mcap::Reader reader(file_);
-  mcap::Selection selection{.last_time = clamped_nanoseconds(time), .topics = {"/game"}};
+  mcap::Selection selection{.last_time = log_time(time), .topics = {"/game"}, .by_time = true};
   if (robot) selection.topics.insert(selection.topics.end(), {decisions, beliefs, "/draw", "/log"});
   reader.select(selection);
-  std::map<std::string, std::string> last;  // by topic
+  std::map<std::string, std::string> last;  // last message of each topic
   mcap::Message message;
   std::string told_before;
   DrawingsOfRobot drawings(robot.value_or(RobotName{}));
-  LogOfRobot log(robot.value_or(RobotName{}), most_log_lines);
-  const std::uint64_t log_begins = clamped_nanoseconds(time - log_seconds);
+  LogOfRobot log(robot.value_or(RobotName{}));
+  const std::uint64_t log_begins = log_time(time - log_seconds);
   while (next(reader, message, told_before)) {
     const std::string& topic = reader.channels().at(message.channel).topic;
     if (topic == "/draw") {

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Draws a chart. What lies outside of its axes is cut off by computing, so a picture needs no ids, which would have to
-// be unique on a page.
+// Draws a chart as SVG. The program itself cuts off the parts outside of the axes. A clip path would do this too, but
+// it needs an id, and ids must be unique on a page.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numeric>
 #include <span>
 #include <utility>
 
 #include "report/figure.hpp"
-#include "texts/svg.hpp"
-#include "texts/visible.hpp"
+#include "texts/html.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
+
+using texts::Html;
+using texts::text;
+using texts::operator""_html;
 
 using texts::drawn;
 using texts::label;
@@ -48,8 +53,7 @@ Html line(const Spot& from, const Spot& end) { return way(std::initializer_list<
 
 bool is_finite(const Spot& spot) { return std::isfinite(spot.x) && std::isfinite(spot.y); }
 
-// With the spots at which a way crosses the upper and the lower edge; none on the way to or from a spot that is not
-// finite.
+// Returns the path with additional points at the upper and lower edge of the box. Infinite segments get no such point.
 std::vector<Spot> with_crossings(const std::vector<Spot>& spots, const Box& box) {
   std::vector<Spot> out;
   for (std::size_t i = 0; i < spots.size(); ++i) {
@@ -66,7 +70,7 @@ std::vector<Spot> with_crossings(const std::vector<Spot>& spots, const Box& box)
   return out;
 }
 
-// The parts of a way that lie within the box; a spot that is not finite does not.
+// Returns the parts of a path inside of the box. A point with an infinite or NaN coordinate is outside.
 Html way_within(const std::vector<Spot>& spots, const Box& box) {
   const std::vector<Spot> all = with_crossings(spots, box);
   Html out;
@@ -79,36 +83,31 @@ Html way_within(const std::vector<Spot>& spots, const Box& box) {
   return out;
 }
 
-// Around 0, half of the height 1. A cross goes back as it came, so that it is closed like the others.
+// Returns the corners of a shape around 0, whose half height is about 1. The lines of a cross end in the centre.
 std::vector<Spot> corners_of(Shape shape) {
-  switch (shape) {
-    case Shape::triangle:
-      return {{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}};
-    case Shape::square:
-      return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};
-    case Shape::diamond:
-      return {{0.0, -1.3}, {1.3, 0.0}, {0.0, 1.3}, {-1.3, 0.0}};
-    case Shape::cross:
-      return {{-0.9, -0.9}, {0.9, 0.9}, {0.0, 0.0}, {-0.9, 0.9}, {0.9, -0.9}, {0.0, 0.0}};
-    case Shape::nothing:
-    case Shape::circle:
-      break;
-  }
-  return {};
+  if (shape == Shape::triangle) return {{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}};
+  if (shape == Shape::square) return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};
+  if (shape == Shape::diamond) return {{0.0, -1.3}, {1.3, 0.0}, {0.0, 1.3}, {-1.3, 0.0}};
+  return {{-0.9, -0.9}, {0.9, 0.9}, {0.0, 0.0}, {-0.9, 0.9}, {0.9, -0.9}, {0.0, 0.0}};
 }
 
 Html mark(Shape shape, const Spot& at, double size) {
   if (shape == Shape::circle) return drawn(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", at.x, at.y, size);
   std::vector<Spot> corners = corners_of(shape);
   for (Spot& each : corners) each = {at.x + size * each.x, at.y + size * each.y};
-  Html out = "<path d=\""_html;
-  return out << way(corners) << "z\"/>"_html;
+  return Html("<path d=\""_html) << way(corners) << "z\"/>"_html;
 }
 
-// The names of series, in as many columns as have room.
+// Returns whether the key shows a piece of line for the series. Otherwise the key shows a shape or a bar.
+bool has_line(const Series& series) {
+  return series.bar == 0.0 && (series.join != Join::nothing || series.interval == Interval::whiskers);
+}
+double sample_width(const Series& series) { return has_line(series) ? sample : 12.0; }
+
+// The key of a chart: the names of the series, in as many columns as fit.
 struct Key {
   std::vector<const Series*> entries{};
-  std::vector<double> columns{};  // their widths
+  std::vector<double> columns{};  // widths of the columns
 
   Key(const std::vector<Panel>& panels, double width) {
     if (panels.empty()) return;
@@ -119,26 +118,21 @@ struct Key {
       columns.assign(count, 0.0);
       for (std::size_t i = 0; i < entries.size(); ++i) {
         double& column = columns[i % count];
-        column = std::max(column, sample + text_width(shown(entries[i]->name)) + 24.0);
+        column = std::max(column, sample_width(*entries[i]) + text_width(shown(entries[i]->name)) + 24.0);
       }
       if (total() <= width) break;
     }
   }
-  double total() const {
-    double out = 0.0;
-    for (const double each : columns) out += each;
-    return out;
-  }
+  double total() const { return std::accumulate(columns.begin(), columns.end(), 0.0); }
   double height() const {
-    return entries.empty()
-               ? 0.0
-               : key_height * std::ceil(static_cast<double>(entries.size()) / static_cast<double>(columns.size()));
+    if (entries.empty()) return 0.0;
+    return key_height * std::ceil(static_cast<double>(entries.size()) / static_cast<double>(columns.size()));
   }
 };
 
 class Painter {
  public:
-  Painter(const Chart& chart, Look look) : chart_(chart), look_(look), rows_(!chart.rows.empty()) {}
+  Painter(const Chart& chart, Medium medium) : chart_(chart), medium_(medium), rows_(!chart.rows.empty()) {}
 
   Html picture() {
     const Key key(chart_.panels, chart_.width - 2.0 * margin);
@@ -170,10 +164,10 @@ class Painter {
  private:
   std::string colour(std::size_t series) const {
     series %= colours.size();
-    return look_ == Look::page ? fmt::format("var(--series-{})", series + 1) : std::string(colours[series]);
+    return medium_ == Medium::page ? fmt::format("var(--series-{})", series + 1) : std::string(colours[series]);
   }
 
-  // Of what is drawn along the axis. Intervals and bars lie along x where there are rows, else along y.
+  // Returns the range of the values along an axis. Intervals and bars lie along x if there are rows, otherwise along y.
   Range range_of(const Axis& axis, bool x, std::span<const Panel> panels) const {
     if (axis.range) return axis.range->high > axis.range->low ? *axis.range : axis.range->with_room();
     Range values, ends;
@@ -196,7 +190,7 @@ class Painter {
     for (const double each : {values.low, values.high}) take(ends, each);
     if (axis.logarithmic) return ends.empty() ? Range{1.0, 10.0} : Range{ends.low / 1.1, ends.high * 1.1};
     Range out = ends.with_room();
-    // A whisker that reaches beyond what can be is cut off.
+    // If all values of an axis with zero are on one side of 0, the axis ends at 0. Whiskers that cross 0 also end at 0.
     if (from_zero && (values.low == 0.0 || values.high == 0.0)) (values.low == 0.0 ? out.low : out.high) = 0.0;
     return out;
   }
@@ -206,18 +200,20 @@ class Painter {
     for (std::size_t i = 0; i < key.entries.size(); ++i) {
       const Series& series = *key.entries[i];
       const std::size_t column = i % key.columns.size(), row = i / key.columns.size();
-      Spot at{0.5 * (chart_.width - key.total()), margin + key_height * (static_cast<double>(row) + 0.4)};
-      for (std::size_t before = 0; before < column; ++before) at.x += key.columns[before];
-      const Spot middle{at.x + 0.5 * sample, at.y};
+      const double left = 0.5 * (chart_.width - key.total());
+      const Spot at{
+          std::accumulate(key.columns.begin(), key.columns.begin() + static_cast<std::ptrdiff_t>(column), left),
+          margin + key_height * (static_cast<double>(row) + 0.4)};
+      const double width = sample_width(series);
+      const Spot middle{at.x + 0.5 * width, at.y};
       if (series.bar > 0.0) {
-        out << drawn(R"(<rect x="{:.1f}" y="{:.1f}" width="12" height="12" fill="{}"/>)", middle.x - 4.0, at.y - 6.0,
+        out << drawn(R"(<rect x="{:.1f}" y="{:.1f}" width="12" height="12" fill="{}"/>)", at.x, at.y - 6.0,
                      colour(series.colour));
       } else {
-        if (series.join != Join::nothing || series.interval == Interval::whiskers)
-          out << joined(line(at, {at.x + sample, at.y}), series);
+        if (has_line(series)) out << joined(line(at, {at.x + width, at.y}), series);
         out << marks(series, {middle});
       }
-      out << label(at.x + sample + 6.0, at.y + 5.0, "text-anchor", "start", shown(series.name));
+      out << label(at.x + width + 6.0, at.y + 5.0, "text-anchor", "start", shown(series.name));
     }
     return out;
   }
@@ -246,7 +242,7 @@ class Painter {
   void panel(const Panel& of, Box box, bool first) {
     Scale x;
     std::vector<Tick> x_ticks;
-    // The last text reaches over the end of the axis, which makes room for it at the end of the picture.
+    // The first round measures how far the last tick's text leaves the chart. The second round shortens the axis.
     for (const bool known : {false, true}) {
       if (known && !x_ticks.empty()) {
         const Tick& last = x_ticks.back();
@@ -264,7 +260,7 @@ class Painter {
     for (const Tick& each : rows_ ? x_ticks : y_ticks_) lines << level(each.at);
     for (double row = 0.5; rows_ && row < y_.range.high; ++row)
       lines << line({box.left, y_.at(row)}, {box.right, y_.at(row)});
-    out_ << stroked(lines, look_ == Look::page ? "var(--grid)" : "#cccccc", 0.7);
+    out_ << stroked(lines, medium_ == Medium::page ? "var(--grid)" : "#cccccc", 0.7);
     if (!values.logarithmic && values.range.low < 0.0 && values.range.high > 0.0)
       out_ << stroked(level(0.0), colour(grey), 0.8);
     for (const Series& each : of.series) {
@@ -283,7 +279,7 @@ class Painter {
       if (first) texts << label(box.left - 2.0 * tick_length, at + 5.0, "text-anchor", "end", each.text);
     }
     ends << way(std::initializer_list<Spot>{{box.left, box.top}, {box.left, box.bottom}, {box.right, box.bottom}});
-    out_ << stroked(ends, look_ == Look::page ? "currentColor" : "#000000", 0.8) << texts;
+    out_ << stroked(ends, medium_ == Medium::page ? "currentColor" : "#000000", 0.8) << texts;
     double below = box.bottom + tick_length + 17.0;
     const double centre = 0.5 * (box.left + box.right);
     const double room = chart_.panels.size() == 1 ? 2.0 * std::min(centre, chart_.width - centre) - 2.0 * margin
@@ -296,7 +292,7 @@ class Painter {
     lowest_ = std::max(lowest_, below);
   }
 
-  // Where a point lies, and the end of its interval, which may be infinite.
+  // spot() returns the position of a point. end_of() returns the position of an end of its interval.
   Spot spot(const Point& point, const Scale& x) const { return {x.at(point.x), y_.at(point.y)}; }
   Spot end_of(const Point& point, double end, const Scale& x) const {
     return rows_ ? Spot{x.at(end), y_.at(point.y)} : Spot{x.at(point.x), y_.at(end)};
@@ -382,7 +378,7 @@ class Painter {
   }
 
   const Chart& chart_;
-  Look look_;
+  Medium medium_;
   bool rows_;
   Scale y_;
   std::vector<Tick> y_ticks_;
@@ -392,20 +388,19 @@ class Painter {
 
 }  // namespace
 
-Html svg(const Figure& figure, Look look) {
-  Painter painter(figure.chart, look);
+Html svg(const Figure& figure, Medium medium) {
+  Painter painter(figure.chart, medium);
   const Html picture = painter.picture();
   const double width = figure.chart.width, height = painter.height();
-  if (look == Look::page) {
-    Html out = drawn(R"(<svg role="img" viewBox="0 0 {:.0f} {:.0f}" font-size="14" fill="currentColor" aria-label=")",
-                     width, height);
-    return out << text(figure.title) << ": "_html << text(figure.description) << "\">\n"_html << picture
-               << "</svg>\n"_html;
+  if (medium == Medium::page) {
+    return drawn(R"(<svg role="img" viewBox="0 0 {:.0f} {:.0f}" font-size="14" fill="currentColor" aria-label=")",
+                 width, height)
+           << text(figure.title) << ": "_html << text(figure.description) << "\">\n"_html << picture << "</svg>\n"_html;
   }
-  Html out = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"_html;
-  return out << texts::sheet(width, height) << "<title>"_html << text(figure.title) << "</title><desc>"_html
-             << text(figure.description) << "</desc>\n<g font-family=\"sans-serif\" font-size=\"14\">\n"_html << picture
-             << "</g></svg>\n"_html;
+  return Html("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n"_html)
+         << texts::sheet(width, height) << "<title>"_html << text(figure.title) << "</title><desc>"_html
+         << text(figure.description) << "</desc>\n<g font-family=\"sans-serif\" font-size=\"14\">\n"_html << picture
+         << "</g></svg>\n"_html;
 }
 
 }  // namespace regista::report

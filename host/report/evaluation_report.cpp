@@ -4,13 +4,14 @@
 #include <fmt/format.h>
 
 #include "config/values.hpp"
+#include "report/number.hpp"
 #include "texts/json.hpp"
-#include "texts/visible.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
-constexpr double per_metre = 1000.0;  // mm
+constexpr double per_metre = 1000.0;  // millimetres per metre
 
 template <class Value>
 std::string row(std::string_view name, const study::Evaluation& evaluation, Value value) {
@@ -125,7 +126,7 @@ std::string evaluation_json(const config::PredictorStudy& study, const Evaluated
     }
     out["horizons"].push_back(std::move(each));
   }
-  return out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return text_of(out, 2);
 }
 
 }  // namespace regista::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The result of `regista evaluate-predictor`, for people and for programs.
+// The reports of `regista evaluate-predictor`: as text for people and as JSON for programs.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace regista::report {
 
-// What was evaluated by what: the beginning of both.
+// The inputs of an evaluation. The text and the JSON begin with these inputs.
 struct Evaluated {
-  std::string file;       // of the study
-  std::string data;       // the recording
+  std::string file;       // document of the study
+  std::string data;       // the recording that the predictor is tested with
   std::string predictor;  // file of the plugin
-  std::string hash;       // of its content
-  std::string program;    // version
+  std::string hash;       // hash of the plugin file
+  std::string program;    // version of the program
 };
 
 std::string evaluation_text(const config::PredictorStudy& study, const Evaluated& evaluated,

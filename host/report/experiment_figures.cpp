@@ -1,35 +1,45 @@
 // SPDX-License-Identifier: MIT
-#include "report/experiment_figures.hpp"
+#include "report/experiment_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 
-#include "texts/visible.hpp"
+#include "report/metric_reference.hpp"
+#include "study/paired_estimates.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_figures = 40;
+constexpr std::size_t most_measures = 40;
 
 double row_of(std::size_t row, std::size_t arm, std::size_t arms) {
   return static_cast<double>(row) + 0.8 * ((static_cast<double>(arm) + 0.5) / static_cast<double>(arms) - 0.5);
 }
 
-// --- Of one measure --------------------------------------------------------------------------------------------------
-
-std::string description(const study::ExperimentPlan& plan, const std::string& measure, const char* interval) {
-  return fmt::format("{}, with {} of {:.4g} %.",
-                     study::is_time(measure) ? "Minutes in 60 minutes of play" : "Mean of a match", interval,
-                     100.0 * plan.asked.confidence);
+std::string capital(std::string words) {
+  if (!words.empty() && words.front() >= 'a' && words.front() <= 'z')
+    words.front() = static_cast<char>(words.front() - 'a' + 'A');
+  return words;
 }
 
-std::string measure_title(const std::string& measure) { return in_title(measure) + ", " + study::unit_of(measure); }
+std::string description(const study::ExperimentPlan& plan, const std::string& measure, const char* interval) {
+  return fmt::format("{} ({}), with {} of {:.4g} %.",
+                     study::is_time(measure) ? "Minutes in 60 minutes of play" : "Mean of a match",
+                     texts::visible(measure), interval, 100.0 * plan.asked.confidence);
+}
+
+std::string title_of(const std::string& measure) { return capital(texts::visible(measure_words(measure))); }
 
 std::string names_of_arms(const study::ExperimentPlan& plan) {
   std::string out;
@@ -39,61 +49,92 @@ std::string names_of_arms(const study::ExperimentPlan& plan) {
   return out;
 }
 
-std::optional<double> number_of(const std::string& text) {
-  try {
-    std::size_t end = 0;
-    const double value = std::stod(text, &end);
-    if (end == text.size() && std::isfinite(value)) return value;
-  } catch (const std::exception&) {
-  }
-  return std::nullopt;
-}
-
-// Of the values of a sweep; by powers of ten where these are far apart.
+// Returns the axis of a sweep. The axis is logarithmic for positive values if largest / smallest is at least 50.
 Axis value_axis(const study::ExperimentPlan& plan) {
   Range values;
-  for (const std::string& each : plan.value_texts()) values.take(*number_of(each));
+  for (const double each : study::swept_numbers(plan)) values.take(each);
   return {.title = in_title(plan.sweep()), .logarithmic = values.low > 0.0 && values.high / values.low >= 50.0};
 }
 
-// Without a sweep: a row for each arm, its mean and interval.
-std::optional<Figure> arms_figure(const ExperimentView& view, std::size_t measure) {
+// Returns a panel with a row for each arm. A row shows the arm's mean and its interval.
+Panel panel_of_arms(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
-  const std::string& path = plan.measures[measure];
-  Figure out{.name = fmt::format("measure_{}", measure + 1),
-             .title = texts::visible(path),
-             .description = description(plan, path, "intervals")};
-  out.csv = "arm,mean,low,high\n";
-  Panel panel{.x = {.title = measure_title(path)}};
-  bool any = false;
-  for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
-    const study::MeanEstimate mean = view.course.mean(arm, measure);
-    any = any || mean.pairs > 0;
-    out.csv += figure_field(plan.asked.arms[arm].name) + ',' + mean_fields(mean) + '\n';
-    out.chart.rows.push_back(plan.asked.arms[arm].name);
-    panel.series.push_back({.colour = arm,
-                            .points = {mean_in_row(static_cast<double>(arm), mean)},
-                            .shape = Shape::circle,
-                            .interval = Interval::whiskers});
+  Panel out{.x = {.title = measure_axis(plan.measures[measure])}};
+  for (std::size_t arm = 0; arm < plan.arms(); ++arm) {
+    out.series.push_back({.colour = arm,
+                          .points = {mean_in_row(static_cast<double>(arm), view.course.mean(arm, measure))},
+                          .shape = Shape::circle,
+                          .interval = Interval::whiskers});
   }
-  if (!any) return std::nullopt;
-  out.chart.panels = {panel};
-  out.chart.width = page_width;
-  out.chart.height = 30.0 * static_cast<double>(plan.asked.arms.size());
   return out;
 }
 
-// Over a sweep: a curve for each arm with its interval as a band, if the values are numbers; else a row for each value,
-// in it the arms from above.
-std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measure) {
+// Returns a figure with one panel for each measure. The panels are beside each other.
+Figure figure_of_arms(const ExperimentView& view, std::span<const std::size_t> measures, std::string name) {
+  const study::ExperimentPlan& plan = view.plan;
+  Figure out{.name = std::move(name)};
+  out.csv = "arm";
+  for (const std::size_t measure : measures) {
+    const std::string& path = plan.measures[measure];
+    for (const char* end : {"mean", "low", "high"})
+      out.csv += ',' + (measures.size() == 1 ? end : figure_field(fmt::format("{} {}", path, end)));
+    out.chart.panels.push_back(panel_of_arms(view, measure));
+  }
+  out.csv += '\n';
+  for (std::size_t arm = 0; arm < plan.arms(); ++arm) {
+    out.csv += figure_field(plan.asked.arms[arm].name);
+    for (const std::size_t measure : measures) out.csv += ',' + mean_fields(view.course.mean(arm, measure));
+    out.csv += '\n';
+    out.chart.rows.push_back(plan.asked.arms[arm].name);
+  }
+  out.chart.width = page_width;
+  out.chart.height = 30.0 * static_cast<double>(plan.arms());
+  return out;
+}
+
+Figure arms_figure(const ExperimentView& view, std::size_t measure) {
+  Figure out = figure_of_arms(view, {&measure, 1}, fmt::format("measure_{}", measure + 1));
+  out.title = title_of(view.plan.measures[measure]);
+  out.description = description(view.plan, view.plan.measures[measure], "intervals");
+  return out;
+}
+
+// Returns figures of the given measures, each figure with at most three panels.
+std::vector<Figure> other_measures(const ExperimentView& view, const std::vector<std::size_t>& measures) {
+  constexpr std::size_t most_panels = 3;
+  const study::ExperimentPlan& plan = view.plan;
+  const std::size_t count = (measures.size() + most_panels - 1) / most_panels;
+  std::vector<Figure> out;
+  for (std::size_t i = 0, begin = 0; i < count; ++i) {
+    const std::size_t end = measures.size() * (i + 1) / count;
+    const std::span<const std::size_t> shown(measures.begin() + static_cast<std::ptrdiff_t>(begin), end - begin);
+    Figure& each = out.emplace_back(figure_of_arms(view, shown, fmt::format("measures_{}", i + 1)));
+    std::vector<std::string> words, paths;
+    for (const std::size_t measure : shown) {
+      words.push_back(texts::visible(measure_words(plan.measures[measure])));
+      paths.push_back(texts::visible(plan.measures[measure]));
+    }
+    each.title = capital(fmt::format("{}", fmt::join(words, "; ")));
+    const bool times = std::ranges::any_of(shown, [&](std::size_t m) { return study::is_time(plan.measures[m]); });
+    each.description =
+        fmt::format("{}, with intervals of {:.4g} %: {}.",
+                    times ? "Times are minutes in 60 minutes of play, all else means of a match" : "Means of a match",
+                    100.0 * plan.asked.confidence, fmt::join(paths, ", "));
+    begin = end;
+  }
+  return out;
+}
+
+// Returns the figure of a sweep. If the swept values are numbers, each arm has a curve with its interval as a band. For
+// other values, each value has a row with the means of the arms.
+Figure sweep_figure(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   const std::string& path = plan.measures[measure];
   const std::size_t arms = plan.asked.arms.size();
-  const bool numbers =
-      std::ranges::all_of(plan.value_texts(), [](const auto& each) { return number_of(each).has_value(); });
-  bool any = false;
+  const std::vector<double> numbers_of_sweep = study::swept_numbers(plan);
+  const bool numbers = !numbers_of_sweep.empty();
   Figure out{.name = fmt::format("sweep_{}", measure + 1),
-             .title = fmt::format("{} over {}", texts::visible(path), texts::visible(plan.sweep())),
+             .title = fmt::format("{} over {}", title_of(path), texts::visible(plan.sweep())),
              .description = description(plan, path, numbers ? "bands" : "intervals")};
   out.csv = "x," + figure_field(plan.sweep()) + names_of_arms(plan) + '\n';
   Panel panel;
@@ -105,23 +146,21 @@ std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measu
                             .interval = numbers ? Interval::band : Interval::whiskers});
   }
   for (std::size_t value = 0; value < plan.values(); ++value) {
-    const double x = numbers ? *number_of(plan.value(value)) : static_cast<double>(value);
+    const double x = numbers ? numbers_of_sweep[value] : static_cast<double>(value);
     out.csv += fmt::format("{},{}", x, figure_field(plan.value(value)));
     for (std::size_t arm = 0; arm < arms; ++arm) {
       const study::MeanEstimate mean = view.course.mean(plan.condition(arm, value), measure);
-      any = any || mean.pairs > 0;
       out.csv += ',' + mean_fields(mean);
       panel.series[arm].points.push_back(numbers ? mean_over(x, mean) : mean_in_row(row_of(value, arm, arms), mean));
     }
     out.csv += '\n';
   }
-  if (!any) return std::nullopt;
   if (numbers) {
-    out.chart.y.title = study::unit_of(path);
+    out.chart.y.title = measure_axis(path);
     panel.x = value_axis(plan);
   } else {
     out.chart.rows = plan.value_texts();
-    panel.x.title = measure_title(path);
+    panel.x.title = measure_axis(path);
   }
   out.chart.panels = {panel};
   out.chart.width = page_width;
@@ -129,40 +168,24 @@ std::optional<Figure> sweep_figure(const ExperimentView& view, std::size_t measu
   return out;
 }
 
-// --- Of roles --------------------------------------------------------------------------------------------------------
-
 struct RoleMeasure {
-  std::string_view end;  // of the measure's path
-  const char* title;     // with its unit
+  std::string_view end;  // last part of the path of a role's measure
+  const char* title;     // title with the unit
   const char* name;
   const char* meaning;
 
   bool is(std::string_view path) const { return path.ends_with(end); }
 };
 constexpr std::array measures_by_role{
-    RoleMeasure{".overlap_seconds", "overlap, min per 60 min", "overlap",
+    RoleMeasure{".overlap_seconds", "held twice, minutes of 60", "held twice",
                 "minutes in 60 minutes of play in which two robots or more held the role"},
-    RoleMeasure{".uncovered_seconds", "uncovered, min per 60 min", "uncovered time",
+    RoleMeasure{".uncovered_seconds", "held by nobody, minutes of 60", "held by nobody",
                 "minutes in 60 minutes of play in which no robot held it although it was wanted"},
-    RoleMeasure{".switches", "switches per match", "switches", "how often a robot took it, in a match"}};
+    RoleMeasure{".switches", "changes of holder, per match", "changes of holder",
+                "how often a robot took it, in a match"}};
 
 bool is_in_role_figure(std::string_view path) {
   return std::ranges::any_of(measures_by_role, [&](const RoleMeasure& each) { return each.is(path); });
-}
-
-std::string capital(std::string words) {
-  words.front() = static_cast<char>(words.front() - 'a' + 'A');
-  return words;
-}
-
-// "Overlap, uncovered time and switches by role"
-std::string title_of(const std::vector<RoleMeasure>& shown) {
-  std::string out;
-  for (std::size_t i = 0; i < shown.size(); ++i) {
-    out += i == 0 ? "" : i + 1 == shown.size() ? " and " : ", ";
-    out += shown[i].name;
-  }
-  return capital(out) + " by role";
 }
 
 std::optional<std::size_t> measure_index(const study::ExperimentPlan& plan, const std::string& path) {
@@ -171,36 +194,36 @@ std::optional<std::size_t> measure_index(const study::ExperimentPlan& plan, cons
   return static_cast<std::size_t>(found - plan.measures.begin());
 }
 
-// Of the roles that the measures name, in their order.
-std::vector<std::string> roles_of(const study::ExperimentPlan& plan) {
+// Returns the names of the roles in the order of the measures, without roles whose numbers are all 0.
+std::vector<std::string> roles_of(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
   std::vector<std::string> out;
-  for (const std::string& measure : plan.measures) {
-    if (!is_in_role_figure(measure)) continue;
+  for (std::size_t i = 0; i < plan.measures.size(); ++i) {
+    const std::string& measure = plan.measures[i];
+    if (!is_in_role_figure(measure) || shows_nothing(view, i)) continue;
     const std::string role = measure.substr(0, measure.rfind('.'));
     if (std::ranges::find(out, role) == out.end()) out.push_back(role);
   }
   return out;
 }
 
-// "goalkeeper" of "playing.goalkeeper": other lists may have a role of this name, but in a picture it is enough.
-std::string short_name(const std::string& role) {
-  std::string out = role.substr(role.rfind('.') + 1);
-  std::ranges::replace(out, '_', ' ');
-  return out;
-}
-
-// The bar chart of Affinita et al. 2023, section 4: overlap, uncovered time and switches by role, a colour for each
-// arm, the first one's bars on top.
+// Returns the bar chart of Affinita et al. 2023, section 4: overlap, uncovered time and switches by role. Each arm has
+// a colour. The bars of the first arm are on top.
 std::optional<Figure> role_figure(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   const std::size_t arms = plan.asked.arms.size();
-  const std::vector<std::string> names = roles_of(plan);
+  const std::vector<std::string> names = roles_of(view);
   if (names.empty() || view.course.taken() == 0) return std::nullopt;
   std::vector<RoleMeasure> shown;
   std::ranges::copy_if(measures_by_role, std::back_inserter(shown), [&](const RoleMeasure& each) {
-    return std::ranges::any_of(plan.measures, [&](const std::string& measure) { return each.is(measure); });
+    for (std::size_t i = 0; i < plan.measures.size(); ++i) {
+      if (each.is(plan.measures[i]) && !shows_nothing(view, i)) return true;
+    }
+    return false;
   });
-  Figure out{.name = "roles", .title = title_of(shown)};
+  std::vector<std::string> measures;
+  for (const RoleMeasure& each : shown) measures.emplace_back(each.name);
+  Figure out{.name = "roles", .title = "Roles: " + in_a_row(measures)};
   out.csv = "role";
   for (const RoleMeasure& each : shown) {
     out.description += fmt::format("{}{}: {}", out.description.empty() ? "" : "; ", each.name, each.meaning);
@@ -230,7 +253,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
       }
     }
     out.csv += '\n';
-    out.chart.rows.push_back(short_name(names[row]));
+    out.chart.rows.push_back(name_of_role(names[row]));
   }
   out.chart.width = page_width;
   out.chart.height = static_cast<double>(names.size()) * std::max(24.0, 10.0 * static_cast<double>(arms));
@@ -240,26 +263,47 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
 }  // namespace
 
 bool is_experiment_figure(std::string_view name) {
-  return name == "roles" || is_numbered(name, "sweep_") || is_numbered(name, "measure_");
+  return name == "roles" || is_numbered(name, "sweep_") || is_numbered(name, "measure_") ||
+         is_numbered(name, "measures_");
 }
 
 std::vector<Figure> experiment_figures(const ExperimentView& view) {
-  std::vector<Figure> out;
-  const auto add = [&out](std::optional<Figure> figure) {
-    if (figure) out.push_back(std::move(*figure));
-  };
   const study::ExperimentPlan& plan = view.plan;
-  const auto of_measure = [&](std::size_t measure) {
-    if (plan.swept())
-      add(sweep_figure(view, measure));
-    else if (!is_in_role_figure(plan.measures[measure]))
-      add(arms_figure(view, measure));
-  };
   const std::optional<std::size_t> primary = study::primary_measure(plan);
-  if (primary) of_measure(*primary);
-  if (!plan.swept()) add(role_figure(view));
-  for (std::size_t measure = 0; measure < plan.measures.size() && out.size() < most_figures; ++measure) {
-    if (measure != primary) of_measure(measure);
+  std::vector<Figure> out;
+  if (primary && !shows_nothing(view, *primary))
+    out.push_back(plan.swept() ? sweep_figure(view, *primary) : arms_figure(view, *primary));
+  std::vector<std::size_t> others;
+  for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
+    const bool by_role = !plan.swept() && is_in_role_figure(plan.measures[measure]);
+    if (measure != primary && !by_role && !shows_nothing(view, measure)) others.push_back(measure);
+  }
+  others.resize(std::min(others.size(), most_measures));
+  if (plan.swept()) {
+    for (const std::size_t measure : others) out.push_back(sweep_figure(view, measure));
+    return out;
+  }
+  if (auto roles = role_figure(view)) out.push_back(std::move(*roles));
+  std::ranges::move(other_measures(view, others), std::back_inserter(out));
+  return out;
+}
+
+bool shows_nothing(const ExperimentView& view, std::size_t measure) {
+  for (std::size_t i = 0; i < view.plan.conditions.size(); ++i) {
+    const std::span<const double> values = view.course.values(i, measure);
+    if (std::ranges::any_of(values, [](double each) { return !std::isnan(each) && each != 0.0; })) return false;
+  }
+  return true;
+}
+
+std::vector<std::string> names_of_experiment_figures(const study::ExperimentPlan& plan) {
+  const std::optional<std::size_t> primary = study::primary_measure(plan);
+  const char* const one = plan.swept() ? "sweep" : "measure";
+  std::vector<std::string> out;
+  if (primary) out.push_back(fmt::format("{}_{}", one, *primary + 1));
+  out.emplace_back("roles");
+  for (std::size_t i = 0; i < plan.measures.size(); ++i) {
+    if (!plan.swept() || i != primary) out.push_back(fmt::format("{}_{}", plan.swept() ? one : "measures", i + 1));
   }
   return out;
 }

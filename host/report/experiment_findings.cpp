@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What an experiment found, comparison by comparison, and what is to be known to read its tables.
-// experiment_headline.cpp says in one line what was found.
+// The findings of an experiment, comparison by comparison, and notes that readers of its tables need.
+// experiment_headline.cpp writes the findings in one line.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string_view>
 
-#include "report/estimate_text.hpp"
-#include "report/experiment.hpp"
+#include "config/scalar.hpp"
+#include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
+#include "study/paired_estimates.hpp"
 #include "texts/message.hpp"
-#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
@@ -25,7 +27,7 @@ const char* by_text(study::PairMethod by) {
                                                          : "";
 }
 
-// "fixed rate 3.2, events 2.1", in the order of the plan: a mean by itself is no finding.
+// Lists the means of the arms in the order of the plan: "fixed rate 3.2, events 2.1".
 std::string means_text(const ExperimentView& view, std::size_t measure, std::size_t value) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<std::string> means;
@@ -38,18 +40,25 @@ std::string means_text(const ExperimentView& view, std::size_t measure, std::siz
   return means.empty() ? std::string("no arm has a value") : texts::join(means);
 }
 
-// "mean difference 5.0 (95 % interval of this comparison alone: 2.0 to 8.0), 12 pairs"
-std::string difference_text(const study::MeanEstimate& difference, double confidence) {
-  const double margin = half_width(difference.interval);
-  std::string out = "mean difference " + rounded(difference.mean, margin);
-  if (difference.interval) {
-    out += fmt::format(" ({:.4g} % interval of this comparison alone: {} to {})", 100.0 * confidence,
-                       rounded(difference.interval->low, margin), rounded(difference.interval->high, margin));
+// Returns " (95 % interval of this trend alone: 20.2 to 40.0), 12 pairs". scale: factor for both ends of the interval.
+std::string interval_and_pairs(const study::MeanEstimate& of, double scale, double confidence, const char* what) {
+  std::string out;
+  if (of.interval) {
+    const double one = scale * of.interval->low, other = scale * of.interval->high,
+                 margin = std::abs(scale) * half_width(of.interval);
+    out = fmt::format(" ({:.4g} % interval of this {} alone: {} to {})", 100.0 * confidence, what,
+                      rounded(std::min(one, other), margin), rounded(std::max(one, other), margin));
   }
-  return out + ", " + texts::counted(static_cast<std::uint64_t>(difference.pairs), "pair", "pairs");
+  return out + ", " + pairs_in_words(static_cast<std::uint64_t>(of.pairs));
 }
 
-std::string test_text(const study::ExperimentPlan& plan, const Finding& finding) {
+// Returns "mean difference 5.0 (95 % interval of this comparison alone: 2.0 to 8.0), 12 pairs".
+std::string difference_text(const study::MeanEstimate& difference, double confidence) {
+  return "mean difference " + rounded(difference.mean, half_width(difference.interval)) +
+         interval_and_pairs(difference, 1.0, confidence, "comparison");
+}
+
+std::string test_text(const study::ExperimentPlan& plan, const study::Tested& finding) {
   std::string out =
       fmt::format("; {}{}, {} after Holm", p_text(*finding.p), by_text(finding.by), p_text(*finding.adjusted));
   if (finding.unplayed_pairs > 0) {
@@ -63,7 +72,21 @@ std::string test_text(const study::ExperimentPlan& plan, const Finding& finding)
   return out;
 }
 
-// The verdict first, then the numbers.
+// Returns a verdict and its numbers. found: verdict with a finding. none: verdict without a finding. subject: begins
+// the text if there is no verdict. line: words before the numbers if there is no finding.
+std::string tested_text(const ExperimentView& view, const study::Tested& of, const std::string& subject,
+                        const std::string& line, const std::string& numbers, const std::string& none,
+                        const std::string& found) {
+  if (!view.course.complete()) return fmt::format("{}: {}{}.", subject, line, numbers);
+  if (!of.adjusted) return fmt::format("{}: too few pairs for a test; {}{}.", subject, line, numbers);
+  const std::string tested = numbers + test_text(view.plan, of);
+  if (of.prevented) {
+    return fmt::format("{}: no verdict, because {} could not be played; {}{}", subject,
+                       pairs_in_words(of.unplayed_pairs), line, tested);
+  }
+  return of.found ? found + ": " + tested : none + ": " + line + tested;
+}
+
 std::string comparison_text(const ExperimentView& view, const Finding& finding) {
   const study::ExperimentPlan& plan = view.plan;
   const std::string first = texts::visible(label(plan, finding.comparison.first));
@@ -75,20 +98,37 @@ std::string comparison_text(const ExperimentView& view, const Finding& finding) 
     return fmt::format("{} and {} are equal to the last byte, so there is no difference by construction: {}.", first,
                        second, numbers);
   }
-  if (!view.course.complete()) return fmt::format("{} and {}: {}.", first, second, numbers);
-  if (!finding.adjusted) return fmt::format("{} and {}: too few pairs for a test; {}.", first, second, numbers);
-  const std::string tested = numbers + test_text(plan, finding);
-  if (finding.prevented) {
-    return fmt::format("{} and {}: no verdict, because {} could not be played; {}", first, second,
-                       pairs_in_words(finding.unplayed_pairs), tested);
-  }
-  if (!finding.found) return fmt::format("No difference was found between {} and {}: {}", first, second, tested);
-  return fmt::format("{} has {} than {}: {}", first, difference.mean > 0.0 ? "more" : "less", second, tested);
+  return tested_text(view, finding, fmt::format("{} and {}", first, second), "", numbers,
+                     fmt::format("No difference was found between {} and {}", first, second),
+                     fmt::format("{} has {} than {}", first, difference.mean > 0.0 ? "more" : "less", second));
+}
+
+// Returns the rise of the fitted line over all swept values: "by 30.1 from 0 to 0.6 (95 % interval of this trend alone:
+// 20.2 to 40.0), 12 pairs". sign: -1 if the verb of the sentence is "falls", so that the number is positive.
+std::string rise_text(const study::ExperimentPlan& plan, const study::MeanEstimate& slope, double sign) {
+  const auto [least, most] = std::ranges::minmax(study::swept_numbers(plan));
+  const double length = sign * (most - least), margin = std::abs(length) * half_width(slope.interval);
+  return fmt::format("by {} from {} to {}{}", rounded(length * slope.mean, margin), config::real_text(least),
+                     config::real_text(most), interval_and_pairs(slope, length, plan.asked.confidence, "trend"));
+}
+
+std::string trend_text(const ExperimentView& view, const study::Trend& trend) {
+  const study::ExperimentPlan& plan = view.plan;
+  const std::string what = fmt::format("{} of {}", texts::visible(plan.primary()),
+                                       texts::visible(plan.asked.arms[trend.arm].name)),
+                    over = texts::visible(plan.sweep());
+  if (trend.slope.pairs == 0) return fmt::format("{}: no pair has values at all values of {}.", what, over);
+  const bool falls = trend.slope.mean < 0.0;
+  const std::string numbers = rise_text(plan, trend.slope, falls ? -1.0 : 1.0);
+  return tested_text(view, trend, fmt::format("{} over {}", what, over),
+                     fmt::format("the line that fits best {} ", falls ? "falls" : "rises"), numbers,
+                     fmt::format("No trend over {} was found for {}", over, what),
+                     fmt::format("{} {} with {}", what, falls ? "falls" : "rises", over));
 }
 
 std::string minutes(double seconds) { return fixed(seconds / 60.0, 1); }
 
-// By arm; of a sweep from the least to the most.
+// Returns a note with the minutes of play of each arm; for a sweep with the smallest and the largest number of minutes.
 std::string playing_note(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<double> seconds;
@@ -100,46 +140,51 @@ std::string playing_note(const ExperimentView& view) {
     by_arm.push_back(fmt::format("{} {}", texts::visible(label(plan, i)), minutes(*each)));
   }
   if (seconds.empty()) return {};
-  const std::string least = minutes(*std::ranges::min_element(seconds));
-  const std::string most = minutes(*std::ranges::max_element(seconds));
+  const auto [low, high] = std::ranges::minmax(seconds);
+  const std::string least = minutes(low), most = minutes(high);
   const std::string range = !plan.swept()   ? fmt::format("{}", fmt::join(by_arm, ", "))
                             : least == most ? least
                                             : fmt::format("{} to {}", least, most);
   return fmt::format("Mean minutes of a match in the phase Playing: {}.", range);
 }
 
-// Of games that are shorter than a match: all arms, of a sweep those conditions that overspend.
+// Returns a note on the packets of short games: for all arms, or in a sweep for the condition that overspends most.
 std::string packets_note(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<std::string> spent;
-  std::size_t conditions = 0, overspent = 0;
+  std::size_t overspent = 0;
+  const auto text_of = [&](std::size_t condition) {
+    const study::PacketsSpent& packets = view.course.packets(condition);
+    return fmt::format("{} {:.4g} of {:.4g}{}", texts::visible(label(plan, condition)), packets.spent(),
+                       packets.share(), packets.overspent() ? " (OVERSPENT)" : "");
+  };
+  std::optional<std::size_t> most;
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     const study::PacketsSpent& packets = view.course.packets(i);
     if (packets.games() == 0) continue;
-    ++conditions;
-    if (packets.overspent()) ++overspent;
-    if (plan.swept() && !packets.overspent()) continue;
-    spent.push_back(fmt::format("{} {:.4g} of {:.4g}{}", texts::visible(label(plan, i)), packets.spent(),
-                                packets.share(), packets.overspent() ? " (OVERSPENT)" : ""));
+    spent.push_back(text_of(i));
+    if (!packets.overspent()) continue;
+    ++overspent;
+    const auto over = [&](std::size_t condition) {
+      const study::PacketsSpent& each = view.course.packets(condition);
+      return each.spent() - each.share();
+    };
+    if (!most || over(i) > over(*most)) most = i;
   }
-  if (conditions == 0) return {};
-  const std::string all = fmt::format("{}", fmt::join(spent, ", "));
-  const std::string of_sweep = overspent == 0
-                                   ? fmt::format("within it in all {} conditions", conditions)
-                                   : fmt::format("above it in {} of {} conditions, {}", overspent, conditions, all);
-  return fmt::format("Packets per match, and the share of the budget for games of this length: {}.",
-                     plan.swept() ? of_sweep : all);
-}
-
-bool of_both_teams(std::string_view path) {
-  const std::string_view document = path.substr(0, path.find('.'));
-  return document == "rules" || document == "robot";
+  if (spent.empty()) return {};
+  const std::string amounts =
+      !plan.swept()    ? fmt::format("{}", fmt::join(spent, ", "))
+      : overspent == 0 ? fmt::format("within it, or at most 5 % above it, in all {} conditions", spent.size())
+                       : fmt::format("more than 5 % above it in {} of {} conditions, most of all {}", overspent,
+                                     spent.size(), text_of(*most));
+  return fmt::format("Packets per match, and the share of the budget for games of this length: {}.", amounts);
 }
 
 std::string opponent_note(const study::ExperimentPlan& plan) {
   std::vector<std::string> paths;
   const auto add = [&](std::string_view path) {
-    if (!of_both_teams(path)) return;
+    const std::string_view document = path.substr(0, path.find('.'));
+    if (document != "rules" && document != "robot") return;
     const std::string shown = texts::visible(path);
     if (std::ranges::find(paths, shown) == paths.end()) paths.push_back(shown);
   };
@@ -152,12 +197,20 @@ std::string opponent_note(const study::ExperimentPlan& plan) {
                      fmt::join(paths, ", "));
 }
 
-std::string interval_note(const study::ExperimentPlan& plan) {
-  if (plan.primary().empty() || plan.comparisons().size() < 2) return {};
+// Returns the number of tests in words: "3 comparisons and 2 trends".
+std::string family_text(const study::Findings& all) {
+  std::string out = texts::plural(all.comparisons.size(), "comparison", "comparisons");
+  return all.trends.empty() ? out : out + " and " + texts::plural(all.trends.size(), "trend", "trends");
+}
+
+std::string interval_note(const ExperimentView& view) {
+  const study::ExperimentPlan& plan = view.plan;
+  const study::Findings all = study::findings(plan, view.course);
+  if (all.comparisons.size() + all.trends.size() < 2) return {};
   return fmt::format(
-      "Each {:.4g} % interval holds for its own comparison, p after Holm for all {} comparisons together. So an "
-      "interval may leave out 0 although no difference was found.",
-      100.0 * plan.asked.confidence, plan.comparisons().size());
+      "Each {:.4g} % interval holds for its own {}, p after Holm for all {} together. So an interval may leave out 0 "
+      "although nothing was found.",
+      100.0 * plan.asked.confidence, all.trends.empty() ? "comparison" : "comparison or trend", family_text(all));
 }
 
 }  // namespace
@@ -172,24 +225,27 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
     out.push_back(fmt::format("Means of {}, {}{}: {}.", texts::visible(plan.primary()), study::unit_of(plan.primary()),
                               at, means_text(view, *measure, value)));
   }
-  const std::vector<Finding> all = study::findings(plan, view.course);
-  for (const Finding& each : all) out.push_back(comparison_text(view, each));
+  const study::Findings all = study::findings(plan, view.course);
+  for (const study::Trend& each : all.trends) out.push_back(trend_text(view, each));
+  for (const Finding& each : all.comparisons) out.push_back(comparison_text(view, each));
   if (plan.comparisons().empty() || !view.course.complete()) return out;
-  if (std::ranges::any_of(all, [](const Finding& each) { return each.adjusted && !each.found && !each.prevented; })) {
+  const auto open = [](const study::Tested& each) { return each.adjusted && !each.found && !each.prevented; };
+  if (std::ranges::any_of(all.comparisons, open)) {
     out.push_back(
         "\"No difference was found\" does not show that there is none: the interval says how large one may be.");
   }
   out.push_back(fmt::format(
-      "The plan fixed the test before the first match: {}, {} at {:.4g} %, two-sided, corrected by Holm.",
-      plan.test() == study::PairTest::paired_t ? "Student's t test of the differences of pairs"
-                                               : "sign-flip test of the differences of pairs",
-      texts::counted(plan.comparisons().size(), "comparison", "comparisons"), 100.0 * (1.0 - plan.asked.confidence)));
+      "The plan fixed the test before the first match: {} of the differences{} of pairs, {} at {:.4g} %, two-sided, "
+      "corrected by Holm.",
+      plan.test() == study::PairTest::paired_t ? "Student's t test" : "sign-flip test",
+      all.trends.empty() ? "" : " and slopes", family_text(all), 100.0 * (1.0 - plan.asked.confidence)));
+  if (plan.ended_after) out.push_back(stopped_sentence(plan));
+  if (!plan.pairs_before.empty()) out.push_back(more_pairs_sentence(plan.pairs_before));
   return out;
 }
 
 std::vector<std::string> experiment_notes(const ExperimentView& view) {
-  std::vector<std::string> out{playing_note(view), packets_note(view), opponent_note(view.plan),
-                               interval_note(view.plan)};
+  std::vector<std::string> out{playing_note(view), packets_note(view), opponent_note(view.plan), interval_note(view)};
   std::erase(out, "");
   return out;
 }

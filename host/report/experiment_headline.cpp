@@ -1,38 +1,30 @@
 // SPDX-License-Identifier: MIT
-// What an experiment found, in one line. It puts conditions in an order only where every difference that the order
-// claims was found, after the correction for the number of comparisons; of all others it says that none was found.
+// Writes the findings of an experiment in one line. The line orders conditions ("a > b > c") only if the experiment
+// found all differences between these conditions, after the correction for the number of comparisons. For other tested
+// comparisons, the line says that no difference was found.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <functional>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "report/estimate_text.hpp"
-#include "report/experiment.hpp"
+#include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"
+#include "report/number.hpp"
 #include "texts/message.hpp"
-#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
 
 using study::Finding;
 
-constexpr std::size_t most_clauses = 4;    // that say who has more than whom
-constexpr std::size_t most_names = 4;      // beside each other in one of these
-constexpr std::size_t most_undecided = 2;  // comparisons without a difference that are named
-
-// "a, b and c"
-std::string in_a_row(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    out += i == 0 ? "" : i + 1 == names.size() ? " and " : ", ";
-    out += names[i];
-  }
-  return out;
-}
+constexpr std::size_t most_clauses = 4;    // largest number of clauses in the line
+constexpr std::size_t most_names = 4;      // largest number of names in a list of a clause
+constexpr std::size_t most_undecided = 2;  // largest number of comparisons without a finding that the line names
 
 std::string arm_name(const study::ExperimentPlan& plan, std::size_t condition) {
   return texts::visible(plan.asked.arms[plan.conditions[condition].arm].name);
@@ -42,9 +34,8 @@ std::string value_name(const study::ExperimentPlan& plan, std::size_t condition)
   return texts::visible(plan.value(plan.conditions[condition].value));
 }
 
-// Who has more, and who less.
 struct Order {
-  std::size_t more, less;  // conditions
+  std::size_t more, less;  // indices of the conditions with the larger and the smaller mean
 };
 
 Order order_of(const Finding& found) {
@@ -52,7 +43,8 @@ Order order_of(const Finding& found) {
   return found.difference.mean > 0.0 ? Order{first, second} : Order{second, first};
 }
 
-// The comparisons by what came of them, each in the plan's order.
+// The comparisons by outcome, each list in the order of the plan. found: a difference was found. open: the test found
+// no difference. prevented: unplayed pairs prevent a verdict. equal: the conditions cannot differ.
 struct Sorted {
   std::vector<const Finding*> found, open, prevented, untested, equal;
 };
@@ -71,26 +63,17 @@ Sorted sorted(const ExperimentView& view, const std::vector<Finding>& all) {
   return out;
 }
 
-// Conditions from the one with most to the one with least; nothing unless every two of them were compared and a
-// difference found.
+// Returns the conditions from the largest mean to the smallest mean, or nothing if a comparison has no finding.
 std::optional<std::vector<std::size_t>> whole_order(const study::ExperimentPlan& plan, const Sorted& of) {
   const std::size_t arms = plan.asked.arms.size();
   if (plan.swept() || arms < 2 || of.found.size() != arms * (arms - 1) / 2) return std::nullopt;
-  std::vector<std::vector<bool>> more(arms, std::vector<bool>(arms, false));
-  for (const Finding* const each : of.found) more[order_of(*each).more][order_of(*each).less] = true;
   std::vector<std::size_t> out(arms), below(arms, 0);
-  for (std::size_t arm = 0; arm < arms; ++arm) {
-    out[arm] = arm;
-    for (std::size_t other = 0; other < arms; ++other) {
-      if (arm != other && !more[arm][other] && !more[other][arm]) return std::nullopt;
-      below[arm] += more[arm][other] ? 1 : 0;
-    }
-  }
-  std::ranges::sort(out, [&](std::size_t a, std::size_t b) { return below[a] > below[b]; });
-  for (std::size_t i = 1; i < arms; ++i) {
-    if (below[out[i - 1]] == below[out[i]]) return std::nullopt;  // a circle
-  }
-  return out;
+  std::iota(out.begin(), out.end(), std::size_t{0});
+  for (const Finding* const each : of.found) ++below[order_of(*each).more];
+  const auto arms_below = [&](std::size_t arm) { return below[arm]; };
+  std::ranges::sort(out, std::ranges::greater(), arms_below);
+  const bool circle = std::ranges::adjacent_find(out, {}, arms_below) != out.end();
+  return circle ? std::nullopt : std::optional(out);
 }
 
 std::string mean_text(const ExperimentView& view, std::size_t condition) {
@@ -98,7 +81,7 @@ std::string mean_text(const ExperimentView& view, std::size_t condition) {
   return rounded(mean.mean, half_width(mean.interval));
 }
 
-// The means tell the same order: they may not where pairs are missing.
+// Returns whether the means have this order. A comparison uses only pairs with two values, a mean also other pairs.
 bool means_agree(const ExperimentView& view, const std::vector<std::size_t>& order) {
   const std::size_t measure = *study::primary_measure(view.plan);
   return std::ranges::is_sorted(order, [&](std::size_t a, std::size_t b) {
@@ -126,22 +109,18 @@ std::string order_sentence(const ExperimentView& view, const std::vector<std::si
                      study::unit_of(plan.primary()), chain);
 }
 
-// --- Some differences ------------------------------------------------------------------------------------------------
-
-// What differs in one name alone is told in one sentence.
+// A sentence about several findings whose sentences would differ only in one name. The sentence lists the names.
 struct Clause {
-  std::string before, after;       // these names
-  std::vector<std::string> names;  // of arms, or of values of the sweep
+  std::string before, after;       // words around the names
+  std::vector<std::string> names;  // names of arms, or values of the sweep if of_values is true
   bool of_values = false;
 };
 
 void add(std::vector<Clause>& clauses, const Clause& one) {
-  const auto like = std::ranges::find_if(
-      clauses, [&](const Clause& each) { return each.before == one.before && each.after == one.after; });
-  if (like == clauses.end())
-    clauses.push_back(one);
-  else
-    like->names.push_back(one.names.front());
+  for (Clause& each : clauses) {
+    if (each.before == one.before && each.after == one.after) return each.names.push_back(one.names.front());
+  }
+  clauses.push_back(one);
 }
 
 Clause clause_of(const study::ExperimentPlan& plan, const Finding& found) {
@@ -156,7 +135,7 @@ Clause clause_of(const study::ExperimentPlan& plan, const Finding& found) {
             {value_name(plan, more)},
             true};
   }
-  if (high.arm == low.arm) {  // compared with the first value
+  if (high.arm == low.arm) {  // the comparison is between one arm at two values of the sweep
     const bool rises = low.value == 0;
     return {fmt::format("{} has {} {} at ", arm_name(plan, more), rises ? "more" : "less", what),
             fmt::format(" than at {}", value_name(plan, rises ? less : more)),
@@ -201,7 +180,7 @@ std::string between(const study::ExperimentPlan& plan, const study::Comparison& 
                      texts::visible(label(plan, comparison.second)));
 }
 
-// Of comparisons beside others that say something else.
+// Returns a sentence about the comparisons without a finding, for a line that also has findings.
 std::string undecided_sentence(const study::ExperimentPlan& plan, const std::vector<const Finding*>& open) {
   if (open.empty()) return {};
   if (open.size() > most_undecided) {
@@ -209,18 +188,20 @@ std::string undecided_sentence(const study::ExperimentPlan& plan, const std::vec
   }
   std::vector<std::string> pairs;
   for (const Finding* const each : open) pairs.push_back(between(plan, each->comparison));
-  return fmt::format(" No difference was found between {}.",
-                     fmt::format("{}", pairs.front()) + (pairs.size() > 1 ? ", nor between " + pairs[1] : ""));
+  return fmt::format(" No difference was found between {}.", fmt::join(pairs, ", nor between "));
 }
 
-// --- None -----------------------------------------------------------------------------------------------------------
-
-std::string none_found(const study::ExperimentPlan& plan, const std::vector<const Finding*>& open) {
+std::string none_found(const study::ExperimentPlan& plan, const std::vector<const Finding*>& open, bool and_no_trend) {
   const std::size_t arms = plan.asked.arms.size();
   const bool any_two = !plan.swept() && open.size() == arms * (arms - 1) / 2;
   const std::string where = open.size() == 1 ? "between " + between(plan, open.front()->comparison)
                             : any_two        ? fmt::format("between any two of the {} arms", arms)
                                              : fmt::format("in any of {} comparisons", open.size());
+  if (and_no_trend) {
+    return fmt::format(
+        "No trend of {} over {} was found, and no difference {}. There may still be smaller differences.",
+        texts::visible(plan.primary()), texts::visible(plan.sweep()), where);
+  }
   return fmt::format("No difference in {} was found {}. This does not show that there is none.",
                      texts::visible(plan.primary()), where);
 }
@@ -237,15 +218,69 @@ std::string of_one_condition(const ExperimentView& view) {
 std::string rest(const study::ExperimentPlan& plan, const Sorted& of) {
   std::string out;
   const auto count = [](const std::vector<const Finding*>& some) {
-    return texts::counted(some.size(), "comparison", "comparisons");
+    return texts::plural(some.size(), "comparison", "comparisons");
   };
-  if (!of.prevented.empty()) {
-    out += fmt::format(" No verdict in {}: pairs could not be played.", count(of.prevented));
-  }
+  if (!of.prevented.empty()) out += fmt::format(" No verdict in {}: pairs could not be played.", count(of.prevented));
   if (!of.untested.empty()) out += fmt::format(" Too few pairs for a test in {}.", count(of.untested));
   for (const Finding* const each : of.equal) {
     out += fmt::format(" {} are equal by construction.", between(plan, each->comparison));
   }
+  return out;
+}
+
+struct SortedTrends {
+  std::vector<std::string> rising, falling, open;  // names of arms; open: the test of the arm found no trend
+  std::size_t untested = 0, prevented = 0;
+};
+
+SortedTrends sorted(const study::ExperimentPlan& plan, const std::vector<study::Trend>& all) {
+  SortedTrends out;
+  for (const study::Trend& each : all) {
+    const std::string name = texts::visible(plan.asked.arms[each.arm].name);
+    if (each.prevented) {
+      ++out.prevented;
+    } else if (each.found) {
+      (each.slope.mean > 0.0 ? out.rising : out.falling).push_back(name);
+    } else if (each.adjusted) {
+      out.open.push_back(name);
+    } else {
+      ++out.untested;
+    }
+  }
+  return out;
+}
+
+std::string arms_in_words(const study::ExperimentPlan& plan, const std::vector<std::string>& names) {
+  if (names.size() > 1 && names.size() == plan.arms()) return fmt::format("all {} arms", plan.arms());
+  return names.size() > most_names ? fmt::format("{} of {} arms", names.size(), plan.arms()) : in_a_row(names);
+}
+
+// Returns sentences such as "packets of all 3 arms rises with disturbance.radio.loss."; empty if no trend was found.
+std::string trend_sentences(const study::ExperimentPlan& plan, const SortedTrends& of) {
+  const std::string what = texts::visible(plan.primary()), over = texts::visible(plan.sweep());
+  std::string out;
+  const auto add = [&](const std::vector<std::string>& names, const char* verb) {
+    if (names.empty()) return;
+    out += out.empty() ? fmt::format("{} of {} {} with {}.", what, arms_in_words(plan, names), verb, over)
+                       : fmt::format(" That of {} {}.", arms_in_words(plan, names), verb);
+  };
+  add(of.rising, "rises");
+  add(of.falling, "falls");
+  if (!out.empty() && !of.open.empty()) out += fmt::format(" No trend was found for {}.", arms_in_words(plan, of.open));
+  return out;
+}
+
+std::string rest_of_trends(const study::ExperimentPlan& plan, const SortedTrends& of, bool told) {
+  std::string out;
+  const auto count = [](std::size_t arms) { return texts::plural(arms, "arm", "arms"); };
+  if (of.rising.empty() && of.falling.empty() && !of.open.empty() && !told) {
+    out += fmt::format(" No trend over {} was found{}.", texts::visible(plan.sweep()),
+                       of.open.size() < plan.arms() ? " for " + arms_in_words(plan, of.open) : "");
+  }
+  if (of.prevented > 0) {
+    out += fmt::format(" No verdict on the trend of {}: pairs could not be played.", count(of.prevented));
+  }
+  if (of.untested > 0) out += fmt::format(" Too few pairs for a test of the trend of {}.", count(of.untested));
   return out;
 }
 
@@ -256,24 +291,43 @@ std::string headline_of_experiment(const ExperimentView& view) {
   }
   if (!study::primary_measure(plan)) return "The experiment names no primary measure, so nothing was tested.";
   if (plan.comparisons().empty()) return of_one_condition(view);
-  const std::vector<Finding> all = study::findings(plan, view.course);
-  const Sorted of = sorted(view, all);
+  const study::Findings all = study::findings(plan, view.course);
+  const Sorted of = sorted(view, all.comparisons);
+  const SortedTrends trends = sorted(plan, all.trends);
   if (const auto order = whole_order(plan, of)) return order_sentence(view, *order);
-  std::string out = !of.found.empty()  ? found_sentences(plan, of.found) + undecided_sentence(plan, of.open)
-                    : !of.open.empty() ? none_found(plan, of.open)
-                                       : std::string();
-  if (out.empty() && of.prevented.size() == all.size()) return prevented_headline(view.course.unplayed_pairs()) + '.';
-  if (out.empty() && of.untested.size() == all.size()) {
+  const std::size_t tested = all.comparisons.size() + all.trends.size();
+  if (of.prevented.size() + trends.prevented == tested) return prevented_headline(view.course.unplayed_pairs()) + '.';
+  if (of.untested.size() + trends.untested == tested) {
     return fmt::format("There are too few pairs for a test of {}.", texts::visible(plan.primary()));
   }
-  out += rest(plan, of);
+  std::string out = trend_sentences(plan, trends);
+  const bool none_at_all = out.empty() && of.found.empty() && !of.open.empty();
+  const bool no_trend = none_at_all && !trends.open.empty() && trends.open.size() == all.trends.size();
+  if (none_at_all)
+    out = none_found(plan, of.open, no_trend);
+  else
+    out += (of.found.empty() ? "" : ' ' + found_sentences(plan, of.found)) + undecided_sentence(plan, of.open);
+  out += rest_of_trends(plan, trends, no_trend) + rest(plan, of);
   return out.front() == ' ' ? out.substr(1) : out;
 }
 
 }  // namespace
 
+std::string in_a_row(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return out;
+}
+
 std::string experiment_headline(const ExperimentView& view) {
-  return caution(view.course.remarks(), view.plan.limits()) + headline_of_experiment(view);
+  std::string out = caution(view.course.remarks(), view.plan.limits()) + headline_of_experiment(view);
+  // For Student's t test, headline_of_experiment() has already reported too few pairs.
+  const bool of_signs = view.plan.test() == study::PairTest::sign_flip;
+  if (const std::string few = too_few_pairs(view.plan); of_signs && view.course.complete() && !few.empty())
+    out += ' ' + few + '.';
+  if (!view.plan.pairs_before.empty()) out += " Pairs were added after a look.";
+  return out;
 }
 
 }  // namespace regista::report

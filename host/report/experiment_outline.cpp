@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-// An experiment as an outline: its findings, means and differences for people, and everything in full for programs.
+// The outline of an experiment: its findings, means and differences for people, and all numbers for programs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <numeric>
 #include <optional>
 
-#include "report/configuration_difference.hpp"
-#include "report/estimate_text.hpp"
-#include "report/experiment.hpp"
+#include "config/values.hpp"
+#include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"
-#include "report/number_json.hpp"
-#include "report/packets_spent.hpp"
+#include "report/number.hpp"
+#include "report/what_was_played.hpp"
+#include "study/paired_estimates.hpp"
 #include "study/settings.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -22,13 +23,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// "role_overlap: 3 arms against spqr2023, 36 matches each"
+// Returns a title: "role_overlap: 3 arms against spqr2023, 36 matches each"
 std::string title_of(const study::ExperimentPlan& plan) {
-  std::string out = fmt::format("{}: {}", plan.asked.name, texts::counted(plan.asked.arms.size(), "arm", "arms"));
+  std::string out = fmt::format("{}: {}", plan.asked.name, texts::plural(plan.asked.arms.size(), "arm", "arms"));
   if (plan.swept()) out += fmt::format(" at {} values of {}", plan.values(), plan.sweep());
-  out += fmt::format(" against {}, {} matches each", std::filesystem::path(plan.asked.opponent).stem().string(),
-                     2 * plan.pairs);
-  if (!plan.openings.empty()) out += " from " + texts::counted(plan.openings.size(), "opening", "openings");
+  out += fmt::format(" against {}, {} {} each", std::filesystem::path(plan.asked.opponent).stem().string(),
+                     2 * plan.pairs_to_its_end(), plan.openings.empty() ? "matches" : "games");
+  if (!plan.openings.empty()) out += " from " + scenes_in_words(plan.openings, plan.asked.settings.limit);
   return out;
 }
 
@@ -44,9 +45,10 @@ std::vector<Tile> tiles_of(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<Tile> out{{std::to_string(plan.arms()), plan.arms() == 1 ? "arm" : "arms"}};
   if (plan.swept()) out.push_back({std::to_string(plan.values()), "values of the sweep"});
-  out.push_back({std::to_string(plan.pairs), "pairs of matches each: same seed, both sides"});
+  out.push_back({std::to_string(plan.pairs_to_its_end()), "pairs of matches each: same seed, both sides"});
   out.push_back({minutes_of_play(view), "minutes of play each"});
-  out.push_back({std::to_string(view.course.taken()), fmt::format("matches of {} planned", plan.matches())});
+  out.push_back({std::to_string(view.course.taken()),
+                 fmt::format("{} of {} planned", games_in_words(plan.openings), plan.matches())});
   return out;
 }
 
@@ -57,7 +59,7 @@ Section findings_section(const ExperimentView& view) {
   return out;
 }
 
-// The primary one first.
+// Returns the indices of the measures; the primary measure comes first.
 std::vector<std::size_t> measures_in_order(const study::ExperimentPlan& plan) {
   const std::optional<std::size_t> primary = study::primary_measure(plan);
   std::vector<std::size_t> out;
@@ -68,14 +70,16 @@ std::vector<std::size_t> measures_in_order(const study::ExperimentPlan& plan) {
   return out;
 }
 
-// All that there may be, in the order of experiment_figures().
-Section figures_section(const study::ExperimentPlan& plan) {
-  std::vector<std::string> names;
-  for (const std::size_t measure : measures_in_order(plan))
-    names.push_back(fmt::format("{}_{}", plan.swept() ? "sweep" : "measure", measure + 1));
-  names.insert(names.begin() + (study::primary_measure(plan) ? 1 : 0), "roles");
+Section figures_section(const ExperimentView& view) {
   Section out("figures", "Figures");
-  out.figures(std::move(names), Figures::Look::wide);
+  out.figures(names_of_experiment_figures(view.plan));
+  std::vector<std::string> left_out;
+  for (std::size_t measure = 0; measure < view.plan.measures.size(); ++measure) {
+    if (view.course.taken() > 0 && shows_nothing(view, measure)) left_out.push_back(view.plan.measures[measure]);
+  }
+  if (!left_out.empty())
+    out.note(fmt::format("Not drawn, because all numbers are 0 or missing: {}.", fmt::join(left_out, ", ")),
+             Readers::page);
   return out;
 }
 
@@ -84,11 +88,11 @@ Sentence with_unit(const std::string& measure) {
   return study::is_time(measure) ? out << fmt::format(", {}", study::unit_of(measure)) : out;
 }
 
-// Measures, at each value of the sweep, in rows, arms in columns.
+// Returns a table with a row for each measure and value of the sweep, and a column for each arm.
 Table means_table(const ExperimentView& view, const std::vector<std::size_t>& measures) {
   const study::ExperimentPlan& plan = view.plan;
   Table out{{{"Measure", Column::words}}};
-  if (plan.swept()) out.headings.push_back({code(plan.sweep())});
+  if (plan.swept()) out.headings.push_back({path(plan.sweep())});
   for (const config::Experiment::Arm& arm : plan.asked.arms) out.headings.push_back({named(arm.name)});
   for (const std::size_t measure : measures) {
     for (std::size_t value = 0; value < plan.values(); ++value) {
@@ -99,7 +103,7 @@ Table means_table(const ExperimentView& view, const std::vector<std::size_t>& me
       out.row(std::move(cells));
     }
   }
-  out.look = Table::Look::values;
+  out.style = Table::Style::values;
   return out;
 }
 
@@ -122,7 +126,7 @@ Section means_section(const ExperimentView& view) {
   return out;
 }
 
-// Of single roles only the primary one, and nothing of a sweep: a terminal has room for these.
+// Returns which readers see a measure. Without a sweep, a terminal shows the primary measure and whole-team measures.
 Readers readers_of(const study::ExperimentPlan& plan, const std::string& measure) {
   const bool shown = measure == plan.primary() || measure.find('.') == std::string::npos;
   return !plan.swept() && shown ? Readers::all : Readers::page;
@@ -136,7 +140,7 @@ Section differences_section(const ExperimentView& view) {
                {"Less second", Column::words},
                {"Pairs"},
                {"Difference"}}};
-  Readers readers = Readers::page;  // of the whole table
+  Readers readers = Readers::page;  // readers of the table; Readers::all if a terminal shows at least one measure
   for (std::size_t measure = 0; measure < plan.measures.size(); ++measure) {
     const Readers of_measure = readers_of(plan, plan.measures[measure]);
     if (of_measure == Readers::all) readers = Readers::all;
@@ -148,7 +152,7 @@ Section differences_section(const ExperimentView& view) {
     }
   }
   if (table.rows.empty()) return out;
-  table.look = Table::Look::values;
+  table.style = Table::Style::values;
   table.summary = "All differences";
   out.note(
       "Differences pair by pair. Each interval holds for its own comparison. Only the primary measure was tested, with "
@@ -195,9 +199,16 @@ Json comparison_json(const study::ExperimentPlan& plan, const study::Comparison&
   return out;
 }
 
+// Returns the trend of an arm. slope: change of the measure per unit of the swept value, mean over pairs.
+Json trend_json(const study::ExperimentPlan& plan, std::size_t arm, const study::MeanEstimate& slope) {
+  Json out{{"arm", plan.asked.arms[arm].name}};
+  out.update(json_of(slope));
+  return out;
+}
+
 Json measure_json(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
-  Json conditions = Json::array(), differences = Json::array();
+  Json conditions = Json::array(), differences = Json::array(), trends = Json::array();
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     Json each = condition(plan, i);
     each.update(json_of(view.course.mean(i, measure)));
@@ -207,28 +218,44 @@ Json measure_json(const ExperimentView& view, std::size_t measure) {
   }
   for (const study::Comparison& each : plan.comparisons())
     differences.push_back(comparison_json(plan, each, view.course.difference(each, measure)));
+  for (std::size_t arm = 0; study::has_trends(plan) && arm < plan.arms(); ++arm)
+    trends.push_back(trend_json(plan, arm, view.course.slope(arm, measure)));
   return {{"measure", plan.measures[measure]},
           {"unit", study::unit_of(plan.measures[measure])},
           {"conditions", conditions},
-          {"differences", differences}};
+          {"differences", differences},
+          {"trends", trends}};
+}
+
+Json tested_json(const study::Tested& of) {
+  return {{"p", json_or_null(of.p)},
+          {"p_by", of.p ? Json(study::name(of.by)) : Json(nullptr)},
+          {"p_holm", json_or_null(of.adjusted)},
+          {"found", of.found},
+          {"unplayed_pairs", of.unplayed_pairs},
+          {"verdict_prevented", of.prevented}};
 }
 
 Json primary_json(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   if (plan.primary().empty()) return nullptr;
-  Json comparisons = Json::array();
-  for (const study::Finding& finding : study::findings(plan, view.course)) {
+  const study::Findings all = study::findings(plan, view.course);
+  Json comparisons = Json::array(), trends = Json::array();
+  for (const study::Finding& finding : all.comparisons) {
     Json each = comparison_json(plan, finding.comparison, finding.difference);
-    each["p"] = json_or_null(finding.p);
-    each["p_by"] = finding.p ? Json(study::name(finding.by)) : Json(nullptr);
-    each["p_holm"] = json_or_null(finding.adjusted);
-    each["found"] = finding.found;
-    each["unplayed_pairs"] = finding.unplayed_pairs;
-    each["verdict_prevented"] = finding.prevented;
+    each.update(tested_json(finding));
     each["equal_by_construction"] = study::equal_conditions(plan, finding.comparison);
     comparisons.push_back(each);
   }
-  return {{"measure", plan.primary()}, {"test", study::name(plan.test())}, {"comparisons", comparisons}};
+  for (const study::Trend& trend : all.trends) {
+    Json each = trend_json(plan, trend.arm, trend.slope);
+    each.update(tested_json(trend));
+    trends.push_back(each);
+  }
+  return {{"measure", plan.primary()},
+          {"test", study::name(plan.test())},
+          {"comparisons", comparisons},
+          {"trends", trends}};
 }
 
 Json data_of(const ExperimentView& view) {
@@ -252,25 +279,28 @@ Json data_of(const ExperimentView& view) {
   for (std::size_t i = 0; i < plan.measures.size(); ++i) measures.push_back(measure_json(view, i));
   Json findings = Json::array({experiment_headline(view)});
   for (const std::string& each : finding_sentences(view)) findings.push_back(each);
-  return {{"experiment", plan.asked.name},
-          {"question", plan.asked.question},
-          {"arms", arms},
-          {"opponent", plan.asked.opponent},
-          {"sweep", plan.swept() ? Json{{"path", plan.sweep()}, {"values", plan.value_texts()}} : Json(nullptr)},
-          {"pairs", plan.pairs},
-          {"first_seed", plan.first_seed()},
-          {"openings", plan.openings.size()},
-          {"matches", view.course.taken()},
-          {"planned_matches", plan.matches()},
-          {"complete", view.course.complete()},
-          {"confidence", plan.asked.confidence},
-          {"conditions", conditions},
-          {"measures", measures},
-          {"primary", primary_json(view)},
-          {"findings", findings},
-          {"notes", experiment_notes(view)},
-          {"forfeits", forfeits_json(view.course.forfeits(), forfeit_words(view, "opponent"), "by")},
-          {"unplayed", unplayed_json(view.course.unplayed_pairs(), view.course.remarks())}};
+  Json out{{"experiment", plan.asked.name},
+           {"question", plan.asked.question},
+           {"arms", arms},
+           {"opponent", plan.asked.opponent},
+           {"sweep", plan.swept() ? Json{{"path", plan.sweep()}, {"values", plan.value_texts()}} : Json(nullptr)},
+           {"pairs", plan.pairs},
+           {"first_seed", plan.first_seed()},
+           {"openings", plan.openings.size()},
+           {"matches", view.course.taken()},
+           {"planned_matches", plan.matches()},
+           {"complete", view.course.complete()},
+           {"confidence", plan.asked.confidence},
+           {"conditions", conditions},
+           {"measures", measures},
+           {"primary", primary_json(view)},
+           {"findings", findings},
+           {"notes", experiment_notes(view)},
+           {"forfeits", forfeits_json(view.course.forfeits(), forfeit_words(view, "opponent"), "by")},
+           {"unplayed", unplayed_json(view.course.unplayed_pairs(), view.course.remarks())}};
+  if (!plan.pairs_before.empty()) out["pairs_before"] = plan.pairs_before;
+  if (plan.ended_after) out["ended_after"] = *plan.ended_after;
+  return out;
 }
 
 }  // namespace
@@ -291,7 +321,7 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
                   profile_of(first.common_inputs, "away disturbance", plan.asked.opponent_disturbance)));
   out.set = study::as_typed(study::settings_of(plan.asked.settings.set, "set"));
   out.amount = fmt::format(
-      "{} against the opponent of each arm{}, seeds from {}", texts::counted(plan.pairs, "pair", "pairs"),
+      "{} against the opponent of each arm{}, seeds from {}", number_of_pairs(plan),
       plan.swept() ? fmt::format(" at each of {} values of {}", plan.values(), plan.sweep()) : std::string(),
       plan.first_seed());
   for (const study::Condition& each : plan.conditions) {
@@ -300,6 +330,12 @@ WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
       out.inputs.insert(out.inputs.end(), inputs->begin(), inputs->end());
   }
   complete(out, plan);
+  if (plan.ended_after) {  // a repetition must have as many pairs as were played
+    config::Experiment asked = plan.asked;
+    asked.matches = static_cast<int>(2 * *plan.ended_after);
+    asked.minutes.reset();
+    out.document = config::document_text(asked);
+  }
   return out;
 }
 
@@ -311,7 +347,7 @@ std::string experiment_standing(const ExperimentView& view) {
   Section out("standing", "");
   out.line(title_of(plan));
   Table table = means_table(view, measures);
-  if (plan.swept()) {  // all of one measure
+  if (plan.swept()) {  // a sweep has only one measure, whose name is above the table
     out.line(with_unit(plan.measures[measures.front()]));
     table.headings.front().readers = Readers::page;
   }
@@ -329,9 +365,10 @@ Outline experiment_outline(const ExperimentView& view) {
   if (const std::uint64_t pairs = view.course.unplayed_pairs(); pairs > 0)
     out.beside.push_back(unplayed_sentence(pairs));
   out.tiles = tiles_of(view);
+  if (const auto names = names_of_experiment_figures(plan); study::primary_measure(plan)) out.lead = names.front();
   out.played = what_was_played(plan);
   out.add(findings_section(view));
-  out.add(figures_section(plan));
+  out.add(figures_section(view));
   out.add(means_section(view));
   out.add(differences_section(view));
   out.add(left_out_section(view));

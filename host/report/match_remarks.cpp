@@ -3,9 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
 
+#include "statistics/paired_tests.hpp"
+#include "statistics/rating.hpp"
+#include "study/paired_estimates.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
@@ -14,19 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string matches_in_words(std::uint64_t count) { return texts::counted(count, "match", "matches"); }
-
-std::string written_sentence(const study::MatchRemarks& remarks) {
-  const std::uint64_t first = remarks.written().front() + 1;
-  return fmt::format(
-      "plugins wrote to standard error in {}, first in match {}; see: regista report FILE --standard-error {}",
-      matches_in_words(remarks.written_count()), first, first);
-}
-
-std::string kept_sentence(const study::MatchRemarks& remarks) {
-  const study::MatchRemark& first = remarks.kept().listed().front();
-  return fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, first.text);
-}
+std::string matches_in_words(std::uint64_t count) { return texts::plural(count, "match", "matches"); }
 
 Json listed(const study::RemarkList& list) {
   Json out = Json::array();
@@ -34,7 +27,7 @@ Json listed(const study::RemarkList& list) {
   return out;
 }
 
-// What is held against the matches of a study, the gravest first.
+// A kind of doubt about matches, with its words for text and JSON. doubts_of() returns the most serious kind first.
 struct Doubt {
   const study::RemarkList& list;
   const char *words, *key;
@@ -46,9 +39,48 @@ std::array<Doubt, 4> doubts_of(const study::MatchRemarks& remarks) {
            {remarks.unproven(), "not proven that robots decide alone", "not_proven"}}};
 }
 
+// Returns a sentence if there are too few pairs for a verdict. what: word for the tested things, such as "pairings".
+std::string too_few(std::uint64_t pairs, const statistics::PowerDesign& design, const char* what) {
+  const auto needed = static_cast<std::uint64_t>(statistics::smallest_pairs(design.alpha, design.family, design.test));
+  if (pairs >= needed) return {};
+  return fmt::format("{} cannot give a verdict: at least {} are needed{}", pairs_in_words(pairs), needed,
+                     design.family == 1 ? std::string() : fmt::format(" with {} {}", design.family, what));
+}
+
+std::string stopped(std::optional<std::uint64_t> after, const std::string& of) {
+  if (!after) return {};
+  return fmt::format("The clock stopped it after {}{} {}, a number that was fixed without looking at the results.",
+                     *after, of, *after == 1 && of.empty() ? "pair" : "pairs");
+}
+
+std::string number(std::optional<std::uint64_t> after, std::uint64_t planned, bool open) {
+  if (!after) return open ? "as many pairs as time allows" : pairs_in_words(planned);
+  return pairs_in_words(*after) + ", where the clock stopped it" +
+         (open ? std::string() : fmt::format(" ({} {} planned)", planned, planned == 1 ? "was" : "were"));
+}
+
+struct Words {
+  const char *one, *more;
+};
+
+Words words_of(const statistics::ScoreLaw& law) {
+  return law.unit == statistics::Unit::pair ? Words{"pair", "pairs"} : Words{"game", "games"};
+}
+
+std::uint64_t units_of(const statistics::ScoreLaw& law) {
+  return static_cast<std::uint64_t>(std::accumulate(law.seen.begin(), law.seen.end(), statistics::Count{0}));
+}
+
+// Returns the beginning of a sentence about all games or all pairs: "The only game was", "All 30 pairs were".
+std::string all_of(const statistics::ScoreLaw& law) {
+  const auto [one, more] = words_of(law);
+  const std::uint64_t units = units_of(law);
+  return units == 1 ? fmt::format("The only {} was", one) : fmt::format("All {} {} were", units, more);
+}
+
 }  // namespace
 
-std::string pairs_in_words(std::uint64_t count) { return texts::counted(count, "pair", "pairs"); }
+std::string pairs_in_words(std::uint64_t count) { return texts::plural(count, "pair", "pairs"); }
 
 std::string prevented_headline(std::uint64_t pairs) {
   return fmt::format("No verdict: {} could not be played", pairs_in_words(pairs));
@@ -84,7 +116,7 @@ Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks
   const study::RemarkList& list = remarks.unplayed();
   if (list.count() == 0) return out;
   out.line(fmt::format("{} left out of every number, with both matches; no team can be blamed.",
-                       texts::counted(pairs, "pair is", "pairs are")));
+                       texts::plural(pairs, "pair is", "pairs are")));
   std::vector<Sentence> lines;
   for (const study::MatchRemark& each : list.listed())
     lines.push_back(fmt::format("match {}: {}", each.match + 1, each.text));
@@ -95,8 +127,15 @@ Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks
 
 Section notes_on(const study::MatchRemarks& remarks) {
   Section out("remarks", "");
-  if (remarks.kept().count() > 0) out.note(kept_sentence(remarks));
-  if (remarks.written_count() > 0) out.note(written_sentence(remarks));
+  if (remarks.kept().count() > 0) {
+    const study::MatchRemark& first = remarks.kept().listed().front();
+    out.note(fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, first.text));
+  }
+  if (remarks.written_count() > 0) {
+    out.note(fmt::format(
+        "plugins wrote to standard error in {0}, first in match {1}; see: regista report FILE --standard-error {1}",
+        matches_in_words(remarks.written_count()), remarks.written().front() + 1));
+  }
   return out;
 }
 
@@ -117,7 +156,7 @@ Section forfeits_section(const study::ForfeitList& forfeits, const ForfeitWords&
   std::vector<Sentence> lines;
   for (const study::Forfeits& each : forfeits.listed()) {
     const std::string label = words.label(each.team);
-    Sentence line = texts::counted(each.count, "match", "matches") + " forfeited by ";
+    Sentence line = matches_in_words(each.count) + " forfeited by ";
     line << named(label) << ": "
          << (each.failure.plugin.empty() ? Sentence("a plugin of ") << named(label)
                                          : Sentence("plugin " + each.failure.plugin));
@@ -130,7 +169,7 @@ Section forfeits_section(const study::ForfeitList& forfeits, const ForfeitWords&
     lines.push_back(std::move(line));
   }
   if (const std::uint64_t more = forfeits.unlisted(); more > 0)
-    lines.push_back(texts::counted(more, "more match", "more matches") + " forfeited for other reasons");
+    lines.push_back(texts::plural(more, "more match", "more matches") + " forfeited for other reasons");
   out.list(std::move(lines));
   return out;
 }
@@ -160,6 +199,85 @@ void add_remarks(const study::MatchRemarks& remarks, Json& out) {
   Json matches = Json::array();
   for (const std::uint64_t each : remarks.written()) matches.push_back(each + 1);
   out["standard_error"] = {{"matches", remarks.written_count()}, {"listed", matches}};
+}
+
+std::string packets_clause(const study::PacketsSpent& packets) {
+  if (packets.games() == 0) return {};
+  return fmt::format("spent {:.4g} packets per match; the share of the budget for this length is {:.4g}{}",
+                     packets.spent(), packets.share(), packets.overspent() ? ": OVERSPENT" : "");
+}
+
+nlohmann::ordered_json packets_json(const study::PacketsSpent& packets) {
+  if (packets.games() == 0) return nullptr;
+  return {{"per_match", packets.spent()}, {"share", packets.share()}, {"overspent", packets.overspent()}};
+}
+
+std::string too_few_pairs(const study::TournamentPlan& plan) {
+  return plan.asked.test ? std::string() : too_few(plan.pairs_to_its_end(), study::design_of(plan), "pairings");
+}
+
+std::string too_few_pairs(const study::ExperimentPlan& plan) {
+  if (plan.primary().empty() || plan.comparisons().empty()) return {};
+  return too_few(plan.pairs_to_its_end(), study::design_of(plan), "comparisons");
+}
+
+std::string number_of_pairs(const study::TournamentPlan& plan) {
+  return number(plan.ended_after, plan.pairs(), plan.ends_by_the_clock_alone());
+}
+
+std::string number_of_pairs(const study::ExperimentPlan& plan) { return number(plan.ended_after, plan.pairs, false); }
+
+std::string stopped_sentence(const study::TournamentPlan& plan) {
+  return stopped(plan.ended_after, plan.ends_by_the_clock_alone() || !plan.asked.pairs
+                                       ? std::string()
+                                       : fmt::format(" of {}", plan.pairs()));
+}
+
+std::string stopped_sentence(const study::ExperimentPlan& plan) {
+  return stopped(plan.ended_after, fmt::format(" of {}", plan.pairs));
+}
+
+std::string more_pairs_sentence(const std::string& before) {
+  return fmt::format(
+      "It had {} pairs before it was given more. A p value and an interval hold for a number that was fixed "
+      "beforehand: adding pairs until the result pleases finds differences that do not exist.",
+      before);
+}
+
+std::string why_no_interval(const statistics::ScoreLaw& law) {
+  if (law.uneven() == 0) return all_of(law) + " even, so there is no interval.";
+  const auto [one, more] = words_of(law);
+  const auto [low, high] = statistics::score_interval(law);
+  std::string out;
+  if (low > 0.0 && high == 1.0) out = fmt::format("At least {:.0f} %", std::floor(100.0 * low));
+  if (low == 0.0 && high < 1.0) out = fmt::format("At most {:.0f} %", std::ceil(100.0 * high));
+  if (!out.empty()) out += " of the points, with 97.5 % confidence: Elo has this bound alone.";
+  switch (statistics::few_for_spread(law)) {
+    case statistics::FewForSpread::no:
+      break;
+    case statistics::FewForSpread::won:
+      return fmt::format("{}{}One team won every {}, so nElo has no interval.", out, out.empty() ? "" : " ", one);
+    case statistics::FewForSpread::uneven:
+      if (out.empty())
+        return fmt::format("Fewer than {} {} were uneven, so Elo and nElo have no interval, and LOS is not known.",
+                           statistics::fewest_uneven, more);
+      return fmt::format("{} Fewer than {} {} were uneven, so nElo has no interval.", out, statistics::fewest_uneven,
+                         more);
+  }
+  return out;
+}
+
+std::string what_the_test_rests_on(const statistics::ScoreLaw& law) {
+  if (law.uneven() == 0) return all_of(law) + " even: the test takes this for equal strength.";
+  if (law.uneven() >= statistics::fewest_uneven) return "";
+  return fmt::format("The test rests on {} of {} that {} uneven.", law.uneven(),
+                     texts::plural(units_of(law), words_of(law).one, words_of(law).more),
+                     law.uneven() == 1 ? "was" : "were");
+}
+
+std::string no_margin_of_team() {
+  return fmt::format("No margin: fewer than {} pairs of the team were uneven, or it won or lost all.",
+                     statistics::fewest_uneven);
 }
 
 }  // namespace regista::report

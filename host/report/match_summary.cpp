@@ -1,33 +1,26 @@
 // SPDX-License-Identifier: MIT
+#include "report/match_summary.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#include "match/names.hpp"
-#include "report/match_summary.hpp"
+#include "match/game_state.hpp"
+#include "report/metric_reference.hpp"
+#include "report/number.hpp"
 #include "report/outline.hpp"
+#include "study/measure.hpp"
 #include "texts/json.hpp"
 
 namespace regista::report {
 namespace {
 
-std::string in_words(std::string_view name) {
-  std::string words(name);
-  std::ranges::replace(words, '_', ' ');
-  return words;
-}
-
 const char* in_words(match::Ended ended) {
-  switch (ended) {
-    case match::Ended::mercy:
-      return "by the mercy rule";
-    case match::Ended::limit:
-      return "at the time limit";
-    default:
-      return "at full time";
-  }
+  return ended == match::Ended::mercy   ? "by the mercy rule"
+         : ended == match::Ended::limit ? "at the time limit"
+                                        : "at full time";
 }
 
 double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
@@ -35,7 +28,8 @@ double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.
 std::string packets(const match::TeamMetrics& team, int charged, int budget, const std::optional<double>& of_time) {
   std::string out = fmt::format("  packets {} of {}", charged, budget);
   if (of_time) {
-    out += fmt::format(" (share of this length: {:.4g}{})", *of_time, charged > *of_time ? ", OVERSPENT" : "");
+    out += fmt::format(" (share of this length: {:.4g}{})", *of_time,
+                       study::is_overspent(charged - *of_time, *of_time) ? ", OVERSPENT" : "");
   }
   std::vector<std::size_t> order;
   for (std::size_t reason = 0; reason < team.packets_by_reason.size(); ++reason) {
@@ -44,19 +38,19 @@ std::string packets(const match::TeamMetrics& team, int charged, int budget, con
   std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t r) { return team.packets_by_reason[r]; });
   for (std::size_t i = 0; i < order.size(); ++i) {
     out +=
-        fmt::format("{} {} {}", i == 0 ? ":" : ",", team.packets_by_reason[order[i]], in_words(team.reasons[order[i]]));
+        fmt::format("{} {} {}", i == 0 ? ":" : ",", team.packets_by_reason[order[i]], spaced(team.reasons[order[i]]));
   }
   return out + '\n';
 }
 
-// A team whose plugins say nothing to each other has no such line.
+// Returns a line about segments of plugins' messages; empty for a team whose plugins exchange no messages.
 std::string segments(const match::SegmentMetrics& counts) {
   if (counts.offered + counts.refused == 0) return "";
   return fmt::format("  segments offered {}, {} of them sent, {} dropped; heard {}; refused {}\n", counts.offered,
                      counts.sent, counts.dropped, counts.heard, counts.refused);
 }
 
-// "  count_crossings: decisions 2100, crossings 0.398": a line for each plugin that has numbers.
+// Returns a line for each plugin that has numbers: "  count_crossings: decisions 2100, crossings 0.398".
 std::string plugins(const match::PluginMetrics& metrics) {
   std::vector<std::pair<std::string, std::string>> lines;  // by plugin
   const auto add = [&lines](const std::string& name, const std::string& value) {
@@ -92,7 +86,7 @@ std::string table(const match::TeamMetrics& team, const std::vector<std::string>
   return out;
 }
 
-// Errors of what robots believe; without a belief there is nothing to say.
+// Returns the errors of the robots' world models; empty for robots without a world model.
 std::string world_model(const match::WorldModelMetrics& model) {
   if (!model.self.rmse_metres) return "";
   const auto metres = [](const std::optional<double>& error) { return error ? fmt::format("{:.2f} m", *error) : "–"; };
@@ -142,7 +136,19 @@ std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed
 std::string summary_json(const campaign::PlayedMatch& match, const WhatWasPlayed& played) {
   nlohmann::ordered_json out{{"played", played_json(played)}};
   out.update(campaign::summary_json(match));
-  return out.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return text_of(out);
+}
+
+std::string metrics_csv(const campaign::PlayedMatch& match, std::span<const match::MetricRow> table) {
+  std::string out = fmt::format("{},seed,{}\n", metrics_csv_head, match.seed);
+  const match::MetricNumbers numbers = campaign::numbers_of(match, table);
+  for (std::size_t i = 0; i < numbers.names().size(); ++i) {
+    const auto side = numbers.names()[i].side;
+    out += fmt::format("{},{},", side ? match::name(*side) : "", csv_field(numbers.names().path(i)));
+    if (const auto value = numbers.at(i)) out += fmt::format("{}", *value);
+    out += '\n';
+  }
+  return out;
 }
 
 }  // namespace regista::report

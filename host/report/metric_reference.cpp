@@ -4,40 +4,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
-#include "texts/json.hpp"
+#include "plugin/info.hpp"
+#include "report/number.hpp"
+#include "study/measure.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
+using match::MetricRow;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view marker = "<!-- metrics: ", end_of_marker = " -->";
 
-const char* of_what(const match::MetricRow& row) {
-  switch (row.of) {
-    case match::MetricRow::Of::match:
-      return "match";
-    case match::MetricRow::Of::team:
-      break;
-    case match::MetricRow::Of::role:
-      return "role";
-    case match::MetricRow::Of::event:
-      return "event";
-    case match::MetricRow::Of::plugin_total:
-    case match::MetricRow::Of::plugin_value:
-      return "plugin";
-  }
-  return "team";
+const char* of_what(const MetricRow& row) {
+  constexpr std::array words{"match", "team", "role", "event", "plugin", "plugin"};  // order of MetricRow::Of
+  return words[static_cast<std::size_t>(row.of)];
 }
 
-std::string meaning(const match::MetricRow& row) { return (row.is_list() ? "list, " : "") + row.meaning; }
+std::string meaning(const MetricRow& row) { return (row.is_list() ? "list, " : "") + row.meaning; }
 
-std::string markdown_table(std::string_view part, std::span<const match::MetricRow> table) {
+std::string markdown_table(std::string_view part, std::span<const MetricRow> table) {
   std::string out = "| Path | Unit | Meaning |\n|---|---|---|\n";
-  for (const match::MetricRow& row : table) {
+  for (const MetricRow& row : table) {
     if (row.part != part) continue;
     out +=
         fmt::format("| `{}` |{}| {} |\n", row.pattern(), row.unit.empty() ? " " : ' ' + row.unit + ' ', meaning(row));
@@ -45,7 +41,7 @@ std::string markdown_table(std::string_view part, std::span<const match::MetricR
   return out;
 }
 
-// Of the first line; the rest begins after its end.
+// Removes the first line with its line end from the text. Returns this line without its line end.
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string_view line = text.substr(0, end);
@@ -53,33 +49,112 @@ std::string_view take_line(std::string_view& text) {
   return line;
 }
 
+struct RoleWords {
+  std::string_view name, of_role, of_all;  // words after the name of a role; words for all roles together
+};
+constexpr std::array role_words{
+    RoleWords{"overlap_seconds", "held twice", "roles held twice"},
+    RoleWords{"uncovered_seconds", "held by nobody", "roles held by nobody"},
+    RoleWords{"unplayed_seconds", "played by nobody", "roles played by nobody"},
+    RoleWords{"switches", "changes of holder", "changes of role"},
+};
+
+struct Span {
+  std::string_view name, words;
+};
+constexpr std::array spans{Span{"_before_silence", " before the silence"},
+                           Span{"_after_silence", " after the silence"}};
+
+std::string without(std::string text, std::string_view part) {
+  const std::size_t at = text.find(part);
+  return at == std::string::npos ? text : text.erase(at, part.size());
+}
+
+std::string role_of(std::string_view path) {
+  const std::size_t end = path.rfind('.');
+  return end == std::string_view::npos ? std::string() : name_of_role(path.substr(0, end));
+}
+
+// Returns words for a number of one or all roles, such as "overlap_after_silence_seconds"; empty for other numbers.
+std::string of_roles(std::string_view path) {
+  std::string name(path.substr(path.rfind('.') + 1)), when;
+  for (const Span& span : spans) {
+    if (name.find(span.name) == std::string::npos) continue;
+    name = without(std::move(name), span.name);
+    when = span.words;
+  }
+  const auto found = std::ranges::find(role_words, name, &RoleWords::name);
+  if (found == role_words.end()) return {};
+  const std::string role = role_of(path);
+  return (role.empty() ? std::string(found->of_all) : role + ' ' + std::string(found->of_role)) + when;
+}
+
+// Splits the title "Distance walked, m" into "Distance walked" and "m".
+std::pair<std::string, std::string> in_parts(const std::string& title) {
+  const std::size_t at = title.rfind(", ");
+  return at == std::string::npos ? std::pair{title, std::string()}
+                                 : std::pair{title.substr(0, at), title.substr(at + 2)};
+}
+
+std::string uncapped(std::string words) {
+  if (!words.empty()) words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+  return words;
+}
+
+Json parameter_json(const config::PluginParameter& declared, const plugin::ParameterInfo& info) {
+  using Type = config::PluginParameter::Type;
+  Json out{{"name", info.name}, {"type", info.type}};
+  switch (declared.type) {
+    case Type::real:
+      out.update({{"minimum", declared.minimum}, {"maximum", declared.maximum}, {"default", declared.initial}});
+      break;
+    case Type::integer:
+      out.update({{"minimum", std::llround(declared.minimum)},
+                  {"maximum", std::llround(declared.maximum)},
+                  {"default", std::llround(declared.initial)}});
+      break;
+    case Type::boolean:
+      out["default"] = declared.initial != 0.0;
+      break;
+    case Type::choice:
+      out.update({{"choices", declared.choices}, {"default", info.initial}});
+      break;
+    case Type::text:
+    case Type::file:
+      out["default"] = info.initial;
+      break;
+  }
+  out.update({{"unit", info.unit}, {"tunable", info.tunable}, {"log_scale", info.log_scale}, {"doc", info.doc}});
+  return out;
+}
+
 }  // namespace
 
-std::string metrics_text(std::span<const match::MetricRow> table) {
+std::string metrics_text(std::span<const MetricRow> table) {
   std::size_t width = 0;
-  for (const match::MetricRow& row : table) width = std::max(width, row.pattern().size());
+  for (const MetricRow& row : table) width = std::max(width, row.pattern().size());
   std::string out;
-  for (const match::MetricRow& row : table) {
+  for (const MetricRow& row : table) {
     out += fmt::format("{:{}}  {:7}  {}\n", row.pattern(), width, row.unit, meaning(row));
   }
   return out;
 }
 
-std::string metrics_json(std::span<const match::MetricRow> table) {
+std::string metrics_json(std::span<const MetricRow> table) {
   Json out = Json::array();
-  for (const match::MetricRow& row : table) {
+  for (const MetricRow& row : table) {
     out.push_back({{"path", row.pattern()},
                    {"of", of_what(row)},
                    {"unit", row.unit},
-                   {"total", row.total == match::MetricRow::Total::sum ? "sum" : "mean"},
+                   {"total", row.total == MetricRow::Total::sum ? "sum" : "mean"},
                    {"list", row.is_list()},
                    {"part", row.part},
                    {"meaning", row.meaning}});
   }
-  return out.dump(2) + '\n';
+  return text_of(out, 2);
 }
 
-std::string with_metric_tables(std::string_view page, std::span<const match::MetricRow> table) {
+std::string with_metric_tables(std::string_view page, std::span<const MetricRow> table) {
   std::string out;
   std::vector<std::string_view> missing(match::metric_parts.begin(), match::metric_parts.end());
   while (!page.empty()) {
@@ -91,13 +166,69 @@ std::string with_metric_tables(std::string_view page, std::span<const match::Met
       throw std::invalid_argument(fmt::format("\"{}\" is no part of the metrics, or stands there twice", part));
     }
     out += '\n' + markdown_table(part, table);
-    // The table that stood there.
+    // Skips the old table of this part.
     while (page.starts_with('\n')) take_line(page);
     while (page.starts_with('|')) take_line(page);
     if (!page.empty() && !page.starts_with('\n')) out += '\n';
   }
   if (missing.empty()) return out;
   throw std::invalid_argument(fmt::format("there is no line \"{}{}{}\"", marker, missing.front(), end_of_marker));
+}
+
+std::string spaced(std::string_view name) {
+  std::string out(name);
+  std::ranges::replace(out, '_', ' ');
+  return out;
+}
+
+std::string name_of_role(std::string_view role) { return spaced(role.substr(role.rfind('.') + 1)); }
+
+std::string measure_words(std::string_view measure) {
+  const MetricRow* const row = match::find_metric(match::metric_table(), measure);
+  if (row != nullptr && row->of == MetricRow::Of::role) {
+    if (std::string words = of_roles(measure); !words.empty()) return words;
+  }
+  if (row != nullptr && !row->title.empty()) return uncapped(in_parts(row->title).first);
+  std::string words = spaced(measure);
+  for (const std::string_view unit : {" seconds", " metres", " share"}) {
+    if (words.ends_with(unit)) words.resize(words.size() - unit.size());
+  }
+  return words;
+}
+
+std::string measure_unit(std::string_view measure) {
+  if (study::is_time(measure)) return "minutes of 60";
+  const MetricRow* const row = match::find_metric(match::metric_table(), measure);
+  if (row == nullptr || row->total == MetricRow::Total::sum) return study::unit_of(measure);
+  if (const std::string unit = in_parts(row->title).second; !unit.empty()) return unit;
+  return row->unit.empty() ? study::unit_of(measure) : row->unit;
+}
+
+std::string measure_axis(std::string_view measure, std::size_t longest) {
+  return texts::visible_at_most(measure_words(measure), longest) + ", " + measure_unit(measure);
+}
+
+Json plugin_json(const plugin::Found& plugin) {
+  const plugin::Info info = plugin::info(plugin);
+  Json parameters = Json::array();
+  // A plugin has a declaration for each of its kinds. All declarations have the same parameters.
+  const auto declarations = plugin::declarations(std::span(&plugin, 1));
+  if (!declarations.empty()) {
+    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
+      parameters.push_back(parameter_json(declarations.front().parameters[i], info.parameters[i]));
+    }
+  }
+  return {{"id", info.id},
+          {"kinds", info.kinds},
+          {"version", info.version},
+          {"summary", info.summary},
+          {"licence", info.licence},
+          {"build_tag", info.build_tag},
+          {"interface", info.abi},
+          {"file", info.file},
+          {"subjects", info.subjects},
+          {"negotiates", info.negotiates},
+          {"parameters", parameters}};
 }
 
 }  // namespace regista::report

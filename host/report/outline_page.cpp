@@ -1,20 +1,34 @@
 // SPDX-License-Identifier: MIT
-// An outline as one page of HTML that needs nothing else: no network, no script. A function of the outline and of the
-// figures; no time of day and no running time is in it.
+// Writes an outline as one page of HTML, which needs no network and no other file. Its only script is our own; without
+// the script the page shows the same content. The page contains no time of day and no running time.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "report/match_remarks.hpp"
 #include "report/outline.hpp"
-#include "report/page_style.hpp"
+#include "report/page_assets.hpp"
 
 namespace regista::report {
 namespace {
 
-// What a file begins with that may be replaced by one of ours.
+using texts::data_address;
+using texts::Html;
+using texts::lines;
+using texts::Markup;
+using texts::path_address;
+using texts::text;
+using texts::operator""_html;
+
+// The beginning of pages of Regista. The program never overwrites a file with another beginning.
 constexpr Markup ours = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -23,12 +37,21 @@ constexpr Markup ours = R"(<!DOCTYPE html>
 
 constexpr Markup head = R"(page of results">
 <meta name="viewport" content="width=device-width">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
-)"_html;
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src ')"_html;
+
+// Widths of a figure with a neighbour and of the main figure, in units of a chart. They fit the columns in page.css.
+constexpr double half_page_width = 560.0, lead_width = 720.0;
+constexpr std::size_t long_words = 40, long_heading = 16;  // longer cells or headings get a column with a least width
+
+// The figures of a page, and the name of its main figure.
+struct PageFigures {
+  std::span<const Figure> all;
+  std::string lead;
+};
 
 bool is_on_page(Readers readers) { return readers != Readers::terminal; }
 
-// It may go on in a new line behind each of these characters.
+// Returns a text in which a line may break after each character of `behind`.
 Html breakable(std::string_view words, std::string_view behind) {
   Html out;
   for (std::size_t begin = 0; begin < words.size();) {
@@ -39,67 +62,64 @@ Html breakable(std::string_view words, std::string_view behind) {
   return out;
 }
 
-Html html_of(const Sentence::Piece& piece) {
-  Html out;
-  switch (piece.kind) {
-    case Sentence::Kind::words:
-      return text(piece.text);
-    case Sentence::Kind::strong:
-      return out << "<strong>"_html << text(piece.text) << "</strong>"_html;
-    case Sentence::Kind::name:
-      // Set apart so that its direction of writing does not move what surrounds it.
-      return out << "<bdi>"_html << breakable(piece.text, ".") << "</bdi>"_html;
-    case Sentence::Kind::code:
-      return out << "<code>"_html << text(piece.text) << "</code>"_html;
-    case Sentence::Kind::path:
-      return out << "<code class=\"path\">"_html << breakable(piece.text, "._") << "</code>"_html;
-    case Sentence::Kind::mark:
-      return out << "<i class=\"key "_html << text(piece.text) << "\"></i>"_html;
-    case Sentence::Kind::link:
-      return out << "<a href=\""_html << path_address(piece.text) << "\">"_html << text(piece.text) << "</a>"_html;
-  }
+Html address_of(const Sentence::Piece& link) {
+  if (link.file.empty() && link.fragment.empty()) return path_address(link.text);
+  Html out = link.file.empty() ? Html() : path_address(link.file);
+  if (!link.fragment.empty()) out << "#"_html << text(link.fragment);
   return out;
+}
+
+Html html_of(const Sentence::Piece& piece) {
+  struct Element {
+    Markup before, behind;
+    std::string_view breaks;  // a line may break after these characters
+  };
+  // Same order as Sentence::Kind. <bdi> keeps a right-to-left name from moving the words around it.
+  constexpr std::array<Element, 7> elements{{{""_html, ""_html, ""},
+                                             {"<strong>"_html, "</strong>"_html, ""},
+                                             {"<bdi>"_html, "</bdi>"_html, "."},
+                                             {"<code>"_html, "</code>"_html, ""},
+                                             {"<code class=\"path\">"_html, "</code>"_html, "._"},
+                                             {"<i class=\"key "_html, "\"></i>"_html, ""},
+                                             {"<a href=\""_html, "</a>"_html, ""}}};
+  const auto& [before, behind, breaks] = elements[static_cast<std::size_t>(piece.kind)];
+  Html out = before;
+  if (piece.kind == Sentence::Kind::link) out << address_of(piece) << "\">"_html;
+  return out << breakable(piece.text, breaks) << behind;
 }
 
 Html html_of(const Cell& cell) {
   Html out = html(cell.words);
-  if (cell.stressed) {
-    Html stressed = "<span class=\"differs\">"_html;
-    out = stressed << out << "</span>"_html;
-  }
+  if (cell.stressed) out = Html("<span class=\"differs\">"_html) << out << "</span>"_html;
   if (cell.series > 0) {
-    Html ground = "<span style=\"background:color-mix(in srgb,var(--series-"_html;
-    out = ground << text(fmt::format("{}) {:.0f}%,transparent)", cell.series, cell.ground)) << "\">"_html << out
-                 << "</span>"_html;
+    out = Html("<span style=\"background:color-mix(in srgb,var(--series-"_html)
+          << text(fmt::format("{}) {:.0f}%,transparent)", cell.series, cell.ground)) << "\">"_html << out
+          << "</span>"_html;
   }
   return out;
 }
 
 Html table_link(std::string_view file, std::string_view csv) {
-  Html out = "<a class=\"take\" download=\""_html;
-  return out << text(file) << "\" href=\""_html << data_address("text/csv", csv) << "\">data as CSV</a>"_html;
+  return Html("<a class=\"take\" download=\""_html)
+         << text(file) << "\" href=\""_html << data_address("text/csv", csv) << "\">data as CSV</a>"_html;
 }
 
 Html table_html(const Table& table) {
-  const auto begin = [](Column column) { return column == Column::number ? " class=\"n\">"_html : ">"_html; };
+  const auto begin = [](Column column, bool is_long = false) {
+    return column == Column::number ? " class=\"n\">"_html : is_long ? " class=\"long\">"_html : ">"_html;
+  };
   Html out = "<div class=\"wide"_html;
-  switch (table.look) {
-    case Table::Look::plain:
-      break;
-    case Table::Look::values:
-      out << " values"_html;
-      break;
-    case Table::Look::tight:
-      out << " values tight"_html;
-      break;
-    case Table::Look::heat:
-      out << " heat"_html;
-      break;
-  }
+  if (table.sortable) out << " sortable"_html;
+  if (table.style == Table::Style::values || table.style == Table::Style::tight) out << " values"_html;
+  if (table.style == Table::Style::tight) out << " tight"_html;
+  if (table.style == Table::Style::heat) out << " heat"_html;
   out << "\"><table>\n<thead><tr>"_html;
   for (const Heading& each : table.headings) {
     if (!is_on_page(each.readers)) continue;
-    out << "<th scope=\"col\""_html << begin(each.column) << html(each.title) << "</th>"_html;
+    out << "<th scope=\"col\""_html << begin(each.column);
+    Html title = html(each.title);
+    if (plain(each.title).size() > long_heading) title = Html("<div class=\"heading\">"_html) << title << "</div>"_html;
+    out << title << "</th>"_html;
   }
   out << "</tr></thead>\n<tbody>\n"_html;
   for (const Row& row : table.rows) {
@@ -108,70 +128,73 @@ Html table_html(const Table& table) {
     out << "<tr>"_html;
     for (std::size_t i = 0; i < row.cells.size(); ++i) {
       const Heading& heading = table.headings[i];
-      if (is_on_page(heading.readers))
-        out << "<td"_html << begin(heading.column) << html_of(row.cells[i]) << "</td>"_html;
+      if (!is_on_page(heading.readers)) continue;
+      const bool is_long = i > 0 && plain(row.cells[i].words).size() > long_words;
+      out << "<td"_html << begin(heading.column, is_long) << html_of(row.cells[i]) << "</td>"_html;
     }
     out << "</tr>\n"_html;
   }
   out << "</tbody></table></div>\n"_html;
   if (!table.summary.empty()) {
-    Html folded = table.open ? "<details open><summary>"_html : "<details><summary>"_html;
-    out = folded << text(table.summary) << "</summary>\n"_html << out << "</details>\n"_html;
+    out = Html(table.open ? "<details open><summary>"_html : "<details><summary>"_html)
+          << text(table.summary) << "</summary>\n"_html << out << "</details>\n"_html;
   }
   if (!table.csv.empty()) out << "<p class=\"note\">"_html << table_link(table.file, table.csv) << "</p>\n"_html;
   return out;
 }
 
-// What is put around each line, and behind it.
-std::pair<Markup, Markup> marks_of(Lines::Look look) {
-  switch (look) {
-    case Lines::Look::note:
-      return {"<p class=\"note\">"_html, "</p>\n"_html};
-    case Lines::Look::list:
-      return {"<li>"_html, "</li>\n"_html};
-    case Lines::Look::heading:
-      return {"<h3>"_html, "</h3>\n"_html};
-    case Lines::Look::paragraphs:
-      break;
-  }
-  return {"<p>"_html, "</p>\n"_html};
-}
-
 Html lines_html(const Lines& lines) {
+  // Same order as Lines::Style.
+  constexpr std::array<std::pair<Markup, Markup>, 4> around_each{{{"<p>"_html, "</p>\n"_html},
+                                                                  {"<p class=\"note\">"_html, "</p>\n"_html},
+                                                                  {"<li>"_html, "</li>\n"_html},
+                                                                  {"<h3>"_html, "</h3>\n"_html}}};
+  const auto& [before, behind] = around_each[static_cast<std::size_t>(lines.style)];
   Html out;
-  const auto [before, behind] = marks_of(lines.look);
   for (const Sentence& each : lines.lines) out << before << html(each) << behind;
-  if (lines.look != Lines::Look::list) return out;
-  Html list = "<ul>\n"_html;
-  return list << out << "</ul>\n"_html;
+  if (lines.style != Lines::Style::list) return out;
+  return Html("<ul>\n"_html) << out << "</ul>\n"_html;
 }
 
-Html figure(std::span<const Figure> figures, std::string_view figure_name) {
-  const auto found = std::ranges::find(figures, figure_name, &Figure::name);
-  if (found == figures.end()) return {};
-  Html out = "<figure>\n"_html;
-  return out << svg(*found, Look::page) << "<figcaption><b>"_html << text(found->title) << ".</b> "_html
-             << text(found->description) << " "_html << table_link(found->name + ".csv", found->csv)
-             << "</figcaption>\n</figure>\n"_html;
+// Returns a figure in a box. On a narrow screen the box scrolls, so that the letters of the figure stay legible.
+Html figure_html(Figure figure, double width) {
+  constexpr double legible = 10.0 / 14.0;  // relative to the size of letters in charts
+  figure.chart.width = width;
+  Html out = "<figure>\n<div class=\"drawn\"><div style=\"min-width:"_html;
+  out << text(fmt::format("{:.0f}px", std::ceil(legible * width))) << "\">\n"_html << svg(figure, Medium::page)
+      << "</div></div>\n<figcaption><b>"_html << text(figure.title) << ".</b> "_html << text(figure.description)
+      << " "_html << table_link(figure.name + ".csv", figure.csv);
+  return out << "</figcaption>\n</figure>\n"_html;
 }
 
-Html figures_html(const Figures& wanted, const std::vector<Figure>& figures) {
-  Html out;
-  for (const std::string& each : wanted.names) out << figure(figures, each);
-  if (out.empty() || wanted.look == Figures::Look::single) return out;
-  Html box = wanted.look == Figures::Look::wide ? "<div class=\"full\">\n"_html : "<div class=\"two\">\n"_html;
-  return box << out << "</div>\n"_html;
+const Figure* find(std::span<const Figure> figures, std::string_view name) {
+  const auto found = std::ranges::find(figures, name, &Figure::name);
+  return found == figures.end() ? nullptr : &*found;
+}
+
+Html figures_html(const Figures& wanted, const PageFigures& figures) {
+  std::vector<const Figure*> shown;
+  for (const std::string& each : wanted.names) {
+    const Figure* const found = find(figures.all, each);
+    if (found != nullptr && each != figures.lead) shown.push_back(found);
+  }
+  // Figures are beside each other in twos. A last figure without a neighbour fills the width of the page.
+  const std::size_t beside = wanted.style == Figures::Style::beside ? shown.size() / 2 * 2 : 0;
+  Html pairs, out;
+  for (std::size_t i = 0; i < beside; ++i) pairs << figure_html(*shown[i], half_page_width);
+  if (beside > 0) out << "<div class=\"two\">\n"_html << pairs << "</div>\n"_html;
+  for (std::size_t i = beside; i < shown.size(); ++i) out << figure_html(*shown[i], page_width);
+  return out;
 }
 
 Html listing_html(const Listing& listing) {
-  Html content = "<pre>"_html;
-  content << lines(listing.text) << "</pre>\n"_html;
+  const Html content = Html("<pre>"_html) << lines(listing.text) << "</pre>\n"_html;
   if (listing.open) return content;
-  Html out = "<details><summary>"_html;
-  return out << html(listing.summary) << "</summary>\n"_html << content << "</details>\n"_html;
+  return Html("<details><summary>"_html) << html(listing.summary) << "</summary>\n"_html << content
+                                         << "</details>\n"_html;
 }
 
-Html items_html(const Section& section, const std::vector<Figure>& figures) {
+Html items_html(const Section& section, const PageFigures& figures) {
   Html out;
   for (const Item& each : section.items) {
     if (!is_on_page(each.readers)) continue;
@@ -183,39 +206,71 @@ Html items_html(const Section& section, const std::vector<Figure>& figures) {
   return out;
 }
 
-Html section_html(const Section& section, const std::vector<Figure>& figures) {
+Html section_html(const Section& section, const PageFigures& figures) {
   const Html content = items_html(section, figures);
   if (content.empty()) return {};
-  Html out = "<section id=\""_html;
-  return out << text(section.id) << "\">\n<h2>"_html << text(section.title) << "</h2>\n"_html << content
-             << "</section>\n"_html;
+  return Html("<section id=\""_html) << text(section.id) << "\">\n<h2>"_html << text(section.title) << "</h2>\n"_html
+                                     << content << "</section>\n"_html;
 }
 
-// Without a title.
 Html div_html(const Section& section) {
   if (section.empty()) return {};
-  Html out = "<div id=\""_html;
-  return out << text(section.id) << "\">\n"_html << items_html(section, {}) << "</div>\n"_html;
+  return Html("<div id=\""_html) << text(section.id) << "\">\n"_html << items_html(section, {}) << "</div>\n"_html;
+}
+
+// Writes the sentences beside the headline. Short sentences share a paragraph. A long sentence gets its own paragraph.
+Html beside_html(const std::vector<Sentence>& sentences) {
+  constexpr std::size_t long_sentence = 160;  // characters
+  Html out, paragraph;
+  const auto end = [&] {
+    if (!paragraph.empty()) out << "<p class=\"beside\">"_html << paragraph << "</p>\n"_html;
+    paragraph = {};
+  };
+  for (const Sentence& each : sentences) {
+    const bool is_long = plain(each).size() > long_sentence;
+    if (is_long) end();
+    paragraph << html(each) << " "_html;
+    if (is_long) end();
+  }
+  end();
+  return out;
 }
 
 Html header_html(const Outline& outline) {
   Html out = "<header>\n<p class=\"kicker\">"_html;
   out << text(outline.kind + ": " + outline.title) << "</p>\n<h1 id=\"verdict\">"_html << html(outline.headline)
-      << "</h1>\n<p class=\"beside\">"_html;
-  for (const Sentence& each : outline.beside) out << html(each) << " "_html;
-  out << "</p>\n"_html;
+      << "</h1>\n"_html << beside_html(outline.beside);
   if (const std::string question = question_of(outline); !question.empty())
     out << "<p class=\"beside\">"_html << text(question) << "</p>\n"_html;
   return out << "</header>\n"_html;
 }
 
-Html tiles_html(const std::vector<Tile>& tiles) {
-  Html out = "<div class=\"tiles\">\n"_html;
+// Returns HTML that makes a browser without scripts reload the page. The reloaded page begins at the top.
+Html reload_html(int seconds) {
+  if (seconds == 0) return {};
+  return Html("<noscript><meta http-equiv=\"refresh\" content=\""_html)
+         << text(std::to_string(seconds)) << "\"></noscript>\n"_html;
+}
+
+// Writes the main figure with the most important numbers beside it.
+Html lead_html(const std::vector<Tile>& tiles, const PageFigures& figures) {
+  Html numbers = "<div class=\"tiles\">\n"_html;
   for (const Tile& each : tiles) {
-    out << "<div class=\"tile\"><b>"_html << text(each.number) << "</b><span>"_html << html(each.what)
-        << "</span></div>\n"_html;
+    numbers << "<div class=\"tile\"><b>"_html << text(each.number) << "</b><span>"_html << html(each.what)
+            << "</span></div>\n"_html;
   }
-  return out << "</div>\n"_html;
+  numbers << "</div>\n"_html;
+  const Figure* const lead = find(figures.all, figures.lead);
+  if (lead == nullptr) return numbers;
+  return Html("<div class=\"lead\">\n"_html) << figure_html(*lead, lead_width) << numbers << "</div>\n"_html;
+}
+
+// Writes links to the sections and to the top of the page.
+Html contents_html(const std::vector<std::pair<std::string, std::string>>& sections) {
+  Html out = "<nav aria-label=\"Contents\"><ul>\n<li><a href=\"#verdict\">Verdict</a></li>\n"_html;
+  for (const auto& [id, title] : sections)
+    out << "<li><a href=\"#"_html << text(id) << "\">"_html << text(title) << "</a></li>\n"_html;
+  return out << "</ul></nav>\n"_html;
 }
 
 }  // namespace
@@ -229,15 +284,26 @@ Html html(const Sentence& sentence) {
 bool is_our_page(std::string_view beginning) { return beginning.starts_with(ours.view()); }
 
 std::string outline_page(const Outline& outline, const std::string& results, const std::vector<Figure>& figures) {
+  const PageFigures shown{figures, outline.lead};
+  Html sections;
+  std::vector<std::pair<std::string, std::string>> contents;
+  const auto add = [&](const Section& section) {
+    const Html content = section_html(section, shown);
+    if (content.empty()) return;
+    sections << content;
+    contents.emplace_back(section.id, section.title);
+  };
+  add(played_section(outline.played));
+  std::ranges::for_each(outline.sections, add);
+  add(again_section(outline.played, results, outline.fingerprint));
   Html out = ours;
-  out << head << "<title>"_html << text(outline.title) << "</title>\n<style>"_html << page_style
-      << "</style>\n</head>\n<body>\n<main>\n"_html;
-  out << div_html(doubts(outline.remarks)) << header_html(outline) << tiles_html(outline.tiles)
-      << section_html(played_section(outline.played), {});
-  for (const Section& each : outline.sections) out << section_html(each, figures);
-  out << section_html(again_section(outline.played, results, outline.fingerprint), {});
-  out << div_html(notes_on(outline.remarks))
-      << "<footer>Written by <code>regista report</code> from the stored results alone.</footer>\n</main>\n</body>\n</html>\n"_html;
+  out << head << page_script_hash << "'\">\n"_html << reload_html(outline.reload_seconds) << "<title>"_html
+      << text(outline.title) << "</title>\n<style>"_html << page_style << "</style>\n</head>\n<body data-live=\""_html
+      << text(std::to_string(outline.reload_seconds)) << "\">\n<main>\n<div class=\"top\">\n"_html;
+  out << div_html(doubts(outline.remarks)) << header_html(outline) << lead_html(outline.tiles, shown) << "</div>\n"_html
+      << contents_html(contents) << "<div class=\"content\">\n"_html << sections << div_html(notes_on(outline.remarks))
+      << "<footer>Written by <code>regista report</code> from the stored results alone.</footer>\n</div>\n</main>\n<script>"_html
+      << page_script << "</script>\n</body>\n</html>\n"_html;
   return out.str();
 }
 

@@ -2,13 +2,9 @@
 #include "report/standing.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "statistics/bradley_terry.hpp"
-#include "statistics/multiplicity.hpp"
+#include "statistics/moments.hpp"
 #include "statistics/rating.hpp"
-#include "statistics/sign_flip.hpp"
-#include "statistics/variance_ratio.hpp"
 
 namespace regista::report {
 
@@ -28,6 +24,10 @@ bool is_without_verdict(const study::TournamentPlan& plan, const study::Tourname
   return !leads_either_way(plan, course, ranking(plan, course).front().team);
 }
 
+bool is_of_fixed_number(const study::TournamentPlan& plan, const study::Tournament& course) {
+  return std::holds_alternative<study::FixedNumber>(plan.objective()) && course.complete();
+}
+
 std::optional<Strength> strength(const study::Tournament& course, const study::Meeting& meeting) {
   if (total(meeting.pairs) == 0 || is_prevented(course, meeting)) return std::nullopt;
   Strength out{};
@@ -39,14 +39,17 @@ std::optional<Strength> strength(const study::Tournament& course, const study::M
   out.draw_ratio = static_cast<double>(meeting.pairs.seen[2]) / static_cast<double>(total(meeting.pairs));
   out.score_ratio = variance_ratio(meeting.pairs, meeting.games);
   out.goals_ratio = statistics::variance_ratio(meeting.goals_of_pairs, meeting.goals_of_matches);
-  out.goals_t = statistics::paired_t(meeting.goals_of_pairs);
+  constexpr std::int64_t fewest_for_goals = 6;
+  if (total(meeting.pairs) >= fewest_for_goals && meeting.unplayed_pairs == 0)
+    out.goals_t = statistics::paired_t(meeting.goals_of_pairs);
   return out;
 }
 
 namespace {
 
-int side_of(const statistics::PairCounts& pairs) {
-  const statistics::Count more = 2 * (pairs.seen[4] - pairs.seen[0]) + pairs.seen[3] - pairs.seen[1];
+int side_of(const statistics::WholeCounts& goals) {
+  statistics::Count more = 0;
+  for (const auto& [difference, pairs] : goals) more += difference * pairs;
   return more > 0 ? 1 : more < 0 ? -1 : 0;
 }
 
@@ -54,14 +57,14 @@ struct PRange {
   double least, most;
 };
 
-PRange p_either_way(const study::Meeting& meeting) {
-  const double without = statistics::sign_flip_p(meeting.pairs);
+PRange p_either_way(const study::Meeting& meeting, int most_goals) {
+  const double without = statistics::sign_flip_p(meeting.goals_by_pair);
   if (meeting.unplayed_pairs == 0) return {without, without};
-  statistics::PairCounts lost = meeting.pairs, won = meeting.pairs;
-  lost.seen.front() += static_cast<statistics::Count>(meeting.unplayed_pairs);
-  won.seen.back() += static_cast<statistics::Count>(meeting.unplayed_pairs);
+  statistics::WholeCounts lost = meeting.goals_by_pair, won = meeting.goals_by_pair;
+  lost[-2 * most_goals] += static_cast<statistics::Count>(meeting.unplayed_pairs);
+  won[2 * most_goals] += static_cast<statistics::Count>(meeting.unplayed_pairs);
   const double if_lost = statistics::sign_flip_p(lost), if_won = statistics::sign_flip_p(won);
-  const int side = side_of(meeting.pairs);
+  const int side = side_of(meeting.goals_by_pair);
   const bool agree = side == side_of(lost) && side == side_of(won);
   return {std::min({without, if_lost, if_won}), agree ? std::max({without, if_lost, if_won}) : 1.0};
 }
@@ -72,7 +75,7 @@ PValues p_values(const study::Tournament& course) {
   PValues out;
   std::vector<double> least;
   for (const study::Meeting& meeting : course.meetings()) {
-    const PRange p = p_either_way(meeting);
+    const PRange p = p_either_way(meeting, course.most_goals());
     out.single.push_back(p.most);
     least.push_back(p.least);
   }
@@ -83,6 +86,11 @@ PValues p_values(const study::Tournament& course) {
                             out.adjusted[i] >= significance_level);
   }
   return out;
+}
+
+int decided_for(const study::Tournament& course, const PValues& p, std::size_t pairing) {
+  if (!course.complete() || p.adjusted[pairing] >= significance_level) return 0;
+  return side_of(course.meetings()[pairing].goals_by_pair);
 }
 
 bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament& course, std::size_t team) {
@@ -98,11 +106,9 @@ bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament
       else if (b == team || a == other)
         won.at(a, b) += points;
     }
-    if (const auto elo = statistics::bradley_terry_elo(won)) {
-      if ((*elo)[team] <= (*elo)[other]) return false;
-      continue;
-    }
-    const auto share = [&](std::size_t of) {
+    const auto elo = statistics::bradley_terry_elo(won);
+    const auto elo_or_share = [&](std::size_t of) {
+      if (elo) return (*elo)[of];
       double mine = 0.0, all = 0.0;
       for (std::size_t i = 0; i < plan.teams.size(); ++i) {
         mine += won.at(of, i);
@@ -110,7 +116,7 @@ bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament
       }
       return all == 0.0 ? 0.5 : mine / all;
     };
-    if (share(team) <= share(other)) return false;
+    if (elo_or_share(team) <= elo_or_share(other)) return false;
   }
   return true;
 }
@@ -129,7 +135,7 @@ std::vector<statistics::Encounter> encounters(const study::Tournament& course) {
   std::vector<statistics::Encounter> out;
   for (const study::Meeting& meeting : course.meetings()) {
     statistics::Encounter each{meeting.pairing.first, meeting.pairing.second, meeting.pairs, {}};
-    if (total(meeting.games) > each.games_played()) {  // the first match of a pair whose second one is still to come
+    if (total(meeting.games) > each.games_played()) {  // only the first match of the last pair has been played
       const double left = points(meeting.games) - each.points();
       using enum statistics::GameOutcome;
       each.games.add(left > 0.75 ? win : left > 0.25 ? draw : loss);
@@ -149,22 +155,19 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
   }
   for (const study::Meeting& meeting : course.meetings()) {
     const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
-    const statistics::Count losses = meeting.games.seen[0], draws = meeting.games.seen[1], wins = meeting.games.seen[2];
     const double games = static_cast<double>(total(meeting.games)), of_a = points(meeting.games);
     if (games > 0.0) payoff.at(a, b) = of_a / games - 0.5;
     payoff.at(b, a) = -payoff.at(a, b);
-    const auto add = [draws, &meeting](Ranked& team, statistics::Count w, statistics::Count l, double p,
-                                       std::uint64_t scored, std::uint64_t conceded) {
-      team.wins += static_cast<std::uint64_t>(w);
-      team.losses += static_cast<std::uint64_t>(l);
-      team.draws += static_cast<std::uint64_t>(draws);
+    for (const std::size_t side : {0u, 1u}) {
+      Ranked& team = out[side == 0 ? a : b];
+      team.wins += static_cast<std::uint64_t>(meeting.games.seen[2 - 2 * side]);
+      team.losses += static_cast<std::uint64_t>(meeting.games.seen[2 * side]);
+      team.draws += static_cast<std::uint64_t>(meeting.games.seen[1]);
       team.matches += meeting.matches();
-      team.points += p;
-      team.scored += scored;
-      team.conceded += conceded;
-    };
-    add(out[a], wins, losses, of_a, meeting.goals[0], meeting.goals[1]);
-    add(out[b], losses, wins, games - of_a, meeting.goals[1], meeting.goals[0]);
+      team.points += side == 0 ? of_a : games - of_a;
+      team.scored += meeting.goals[side];
+      team.conceded += meeting.goals[1 - side];
+    }
   }
   if (const auto elo = statistics::bradley_terry(teams, encounters(course))) {
     for (Ranked& team : out) team.elo = (*elo)[team.team];

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is said of a study, whatever it is: while it is played, and at its end as an outline (outline.hpp), as a table,
-// in figures. A report owns its study and that one's plan. It says the same of a study that was played just now and of
-// one that was read back.
+// The report of any study: lines while the study is running, and then an outline (outline.hpp), a table and figures. A
+// report owns its study and the plan. The report of a study is the same after the last match and from a file.
 #pragma once
 
 #include <cstdint>
@@ -12,66 +11,99 @@
 
 #include "campaign/job.hpp"
 #include "report/figure.hpp"
+#include "report/matches_section.hpp"
 #include "report/outline.hpp"
+#include "study/settings.hpp"
 #include "study/study.hpp"
 
 namespace regista::report {
 
-// The command that plays a match by itself.
+// Returns the command that plays a single match.
 using CommandOf = std::function<std::string(const campaign::Job& job)>;
 
-// What stands in a table of results besides what always does.
-struct TableWish {
+struct TableOptions {
   bool all_metrics = false;
-  match::MetricPaths metrics{};  // that matches of the file have
+  match::MetricPaths metrics{};  // paths of all metrics of the matches in the file
 };
 
-// What a page shows of files besides the results.
+// The files that a page of a study needs.
 struct PageFiles {
-  std::filesystem::path results, page;
-  std::vector<std::string> documents;  // of the teams, resolved; empty: not known
+  std::filesystem::path results, page;  // file of the results, and file of the page itself
+  std::vector<std::string> documents;   // resolved documents of the teams; empty: unknown
 };
+
+// A hash over all matches in the order of the schedule. Matches with equal results and states give equal hashes.
+class Fingerprint {
+ public:
+  void take(std::uint64_t index, const campaign::MatchResult& decided);
+  const std::string& text() const { return text_; }  // 32 hexadecimal digits; empty before the first match
+
+ private:
+  std::string text_;
+};
+
+// Returns the name of a file without folder and extension: "paper" for "teams/paper.yaml"; empty for no file.
+std::string stem(const std::string& file);
+// Returns the name of the opening of a match; empty for a match from kick-off.
+std::string scene_name(const std::vector<study::Opening>& openings, std::size_t opening);
 
 class StudyReport {
  public:
+  StudyReport() = default;
+  StudyReport(const StudyReport&) = delete;  // no copies: a study refers to its plan
+  StudyReport& operator=(const StudyReport&) = delete;
   virtual ~StudyReport() = default;
   virtual study::Study& study() = 0;
   virtual const study::Study& study() const = 0;
 
-  virtual std::vector<std::string> teams() const { return {}; }  // who plays, as the study calls them
+  virtual std::vector<std::string> teams() const { return {}; }  // names of the teams in the study
 
   virtual WhatWasPlayed played() const = 0;
-  // What was found, as far as it has come; a page has more sections, and figures.
+  // Returns the findings so far. page_outline() has additional sections and figures for a page.
   virtual Outline outline() const = 0;
-  virtual Outline page_outline(const PageFiles& /*files*/) const { return outline(); }
+  virtual Outline page_outline(const PageFiles& files) const;
 
-  // Before its first match: what is worth knowing, lines without their ends.
+  // Declares the study complete after its first `pairs` pairs, because a clock has stopped the study. Only for studies
+  // whose rounds have pairs (study::Round::matches_of_a_pair).
+  virtual void end_after(std::uint64_t /*pairs*/) {}
+
+  // Returns lines without line ends, which the program shows before the first match.
   virtual std::vector<std::string> notes() const { return {}; }
 
-  // While it is played: how things stand, in lines, each ended.
+  // Returns the state of a running study; every line has a line end.
   virtual std::string standing() const = 0;
-  // "small 1:0 other": a match that was taken, in a line without its end.
-  virtual std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const = 0;
+  // Returns a played match as a line without line end: "small 1:0 other".
+  virtual std::string match(const study::Round& round, std::uint64_t index,
+                            const campaign::MatchResult& decided) const = 0;
+  // Returns the teams of a match. By default each team has the name of its file.
+  virtual MatchPlayers players(const study::Round& round, std::uint64_t index) const;
 
-  // "3 of 8 matches without a gap: the tournament is not at its end"; empty at its end.
+  // Returns "3 of 8 matches without a gap: the tournament is not at its end"; empty if the study is complete.
   virtual std::string incomplete() const = 0;
 
-  // The table: begin_table() gives its head, table_lines() what it says of each match once the study has taken it,
-  // end_table() what it says at the end. In this order.
+  // The parts of a table in order: the header, lines for each match after the study has taken it, the final lines.
   virtual bool is_table_of_matches() const { return true; }
-  virtual bool has_a_column_for_each_metric() const { return false; }  // then TableWish::metrics is asked for
-  virtual std::string begin_table(const TableWish& wish) = 0;
-  virtual std::string table_lines(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) = 0;
+  virtual bool has_a_column_for_each_metric() const { return false; }  // true: TableOptions::metrics is required
+  virtual std::string begin_table(const TableOptions& /*options*/) { return {}; }
+  virtual std::string table_lines(const study::Round& /*round*/, std::uint64_t /*index*/,
+                                  const campaign::MatchResult& /*decided*/) {
+    return {};
+  }
   virtual std::string end_table() const { return {}; }
-  // A second, short table of what was found; empty where there is none.
-  virtual std::string summary_table() const { return {}; }
+  virtual std::string summary_table() const { return {}; }  // a short table of the findings; empty: no such table
 
-  // A page takes notes from its first match on: begin_page(), then for each match take(), then end_page().
+  // A caller makes a page by begin_page(), take() for each match, end_page(). A page needs at least the fingerprint.
   virtual campaign::Metrics page_metrics() const { return study().metrics(); }
   virtual void begin_page(const std::filesystem::path& /*results*/) {}
-  virtual void take(const study::Round& round, std::uint64_t index, const campaign::Decided* decided) = 0;
+  virtual void take(const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
+    fingerprint_.take(round.first_row + index, *decided);
+  }
   virtual void end_page() {}
   virtual std::vector<Figure> figures() const = 0;
+  const std::string& fingerprint() const { return fingerprint_.text(); }  // hash of the matches that take() received
+
+ private:
+  Fingerprint fingerprint_;
 };
 
 }  // namespace regista::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/tournament_figures.hpp"
+#include "report/tournament_report.hpp"
 
 #include <fmt/format.h>
 
@@ -10,109 +10,114 @@
 #include <span>
 #include <string>
 
-#include "report/elo_interval.hpp"
-#include "report/role_names.hpp"
+#include "report/metric_reference.hpp"
 #include "report/standing.hpp"
-#include "texts/visible.hpp"
+#include "report/tournament_history.hpp"
+#include "statistics/rating.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
-// --- Over pairs ------------------------------------------------------------------------------------------------------
+constexpr std::size_t many_points = 60;  // a curve with more points is drawn without circles
 
-constexpr std::size_t many_points = 60;  // a curve of more has no circles
-
-// Strength and differences are drawn with 0.
-constexpr Range with_zero{0.0, 0.0};
+constexpr Range with_zero{0.0, 0.0};  // range that contains zero, for axes of strength and of differences
 
 struct Banded {
   std::uint64_t pair;
   statistics::Estimate estimate;
 };
 
-// The first pairs of many say next to nothing, and would make the rest too small to be seen: the axis is that of the
-// others.
-Range range_of(std::span<const Banded> points) {
+// Returns the first pair that a curve shows. A long curve leaves out its first values, because they vary much.
+std::uint64_t first_drawn(std::uint64_t last) {
   constexpr std::uint64_t few = 8;
-  Range out = with_zero;
-  const std::uint64_t last = points.back().pair, from = last <= few ? 0 : std::max(last / 10, few);
-  for (const auto& [pair, estimate] : points) {
-    if (pair < from) continue;
-    for (const double value : {estimate.value, estimate.interval.low, estimate.interval.high}) out.take(value);
-  }
-  return out.with_room();
+  return last <= few ? 0 : std::max(last / 10, few);
+}
+
+// Returns " Drawn from pair 8 on."; empty if the curve shows all pairs.
+std::string drawn_from(std::uint64_t last) {
+  const std::uint64_t first = first_drawn(last);
+  return first > 1 ? fmt::format(" Drawn from pair {} on.", first) : std::string();
 }
 
 Axis pairs_axis(std::uint64_t last) {
   return {.title = "pairs", .range = Range{0.0, static_cast<double>(std::max<std::uint64_t>(last, 2))}, .whole = true};
 }
 
-// Table and chart of a curve. `value`: its name in the table.
+// Adds the table and the chart of a curve with its interval to the figure. value: name of the column in the table.
 void draw_banded(Figure& figure, std::span<const Banded> points, const char* value, const char* axis) {
   Series curve{.join = Join::line,
                .shape = points.size() > many_points ? Shape::nothing : Shape::circle,
                .size = 2.5,
                .interval = Interval::band};
   figure.csv = fmt::format("pair,{},low,high\n", value);
+  const std::uint64_t last = points.back().pair;
+  Range range = with_zero;
   for (const auto& [pair, estimate] : points) {
     const auto& [low, high] = estimate.interval;
     figure.csv +=
         fmt::format("{},{},{},{}\n", pair, figure_field(estimate.value), figure_field(low), figure_field(high));
+    if (pair < first_drawn(last)) continue;
     curve.points.push_back({static_cast<double>(pair), estimate.value, low, high});
+    for (const double each : {estimate.value, low, high}) range.take(each);
   }
-  figure.chart = {.y = {.title = axis, .range = range_of(points)},
-                  .panels = {{pairs_axis(points.back().pair), {std::move(curve)}}}};
+  figure.description += drawn_from(last);
+  figure.chart = {.y = {.title = axis, .range = range.with_room()}, .panels = {{pairs_axis(last), {std::move(curve)}}}};
 }
 
 bool has_points(std::span<const Banded> points) {
   return std::ranges::any_of(points, [](const Banded& each) { return std::isfinite(each.estimate.value); });
 }
 
-// Elo of the first team with its interval of 95 %.
+bool any_interval(std::span<const Banded> points) {
+  return std::ranges::any_of(points, [](const Banded& each) {
+    return std::isfinite(each.estimate.interval.low) || std::isfinite(each.estimate.interval.high);
+  });
+}
+
+// Returns the curve of Elo of the first team, with its 95 % interval.
 std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   std::vector<Banded> points;
   for (const PairPoint& each : curve) {
-    if (!each.elo) continue;
-    points.push_back({each.pair, *each.elo});
-    if (!each.enough) points.back().estimate.interval = {-HUGE_VAL, HUGE_VAL};
+    if (each.elo) points.push_back({each.pair, *each.elo});
   }
   if (!has_points(points)) return std::nullopt;
-  const bool any = std::ranges::any_of(points, [](const Banded& each) {
-    return std::isfinite(each.estimate.interval.low) || std::isfinite(each.estimate.interval.high);
-  });
+  const bool any = any_interval(points);
   Figure out{
       .name = "elo",
       .title = "Elo over pairs",
       .description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.label(0), view.label(1),
                                  any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
                                                    "for a number of pairs fixed beforehand.",
-                                                   fewest_uneven_pairs)
+                                                   statistics::fewest_uneven)
                                      : std::string(". Too few pairs for an interval."))};
   draw_banded(out, points, "elo", "Elo");
   return out;
 }
 
-// The difference of goals, or of the metric that is tested, with its interval.
+// Returns the curve of the difference of goals or of the tested metric, with its interval.
 std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   std::vector<Banded> points;
   for (const PairPoint& each : curve) {
     if (each.pair > 0) points.push_back({each.pair, each.value});
   }
   if (!has_points(points)) return std::nullopt;
+  const bool any = any_interval(points);
   const study::Objective objective = view.plan.objective();
   const auto* const test = std::get_if<study::ValueTest>(&objective);
   const bool goals = test == nullptr || test->value == study::goals_value;
   Figure out{.name = "value",
              .title = goals ? "Goal difference over pairs"
                             : fmt::format("Difference of {} over pairs", texts::visible(test->value)),
-             .description = fmt::format(
-                 "{} less {}, mean of a match, with the anytime-valid interval{}.", view.label(0), view.label(1),
-                 test == nullptr ? std::string(" (95 %)") : fmt::format(" ({:.4g} %)", 100.0 * (1.0 - test->alpha)))};
+             .description = fmt::format("{} less {}, mean of a match{}.", view.label(0), view.label(1),
+                                        any ? fmt::format(", with the anytime-valid interval ({:.4g} %)",
+                                                          test == nullptr ? 95.0 : 100.0 * (1.0 - test->alpha))
+                                            : std::string())};
   draw_banded(out, points, "difference", goals ? "goals per match" : "difference per match");
   return out;
 }
 
-// The log-likelihood ratio of a test of scores, and where it stops.
+// Returns the curve of the log-likelihood ratio of a test of scores, with the bounds of the test.
 std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   Figure out{.name = "llr", .title = "Log-likelihood ratio over pairs"};
   std::vector<Series> series{{.name = "H1", .colour = 2, .join = Join::dashes},
@@ -144,24 +149,20 @@ std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<con
   return out;
 }
 
-// --- Of several teams ------------------------------------------------------------------------------------------------
-
-// Elo now, with intervals.
 std::optional<Figure> ranking_figure(const TournamentView& view) {
   constexpr std::size_t most = 40;
   std::vector<Ranked> ranks = ranking(view.plan, view.course);
   std::erase_if(ranks, [](const Ranked& each) { return !each.elo || !std::isfinite(each.elo->value); });
   if (ranks.empty()) return std::nullopt;
   if (ranks.size() > most) ranks.resize(most);
-  Figure out{.name = "ranking",
-             .title = "Strength of the teams",
-             .description = "Bradley-Terry Elo, sum 0, with 95 % intervals by the spread of pairs."};
+  Figure out{.name = "ranking", .title = "Strength of the teams", .description = "Bradley-Terry Elo, sum 0."};
+  if (std::ranges::any_of(ranks, [](const Ranked& each) { return each.elo->interval.bounded(); }))
+    out.description = "Bradley-Terry Elo, sum 0, with 95 % intervals by the spread of pairs.";
   out.csv = "team,elo,low,high\n";
   Series teams{.shape = Shape::circle, .interval = Interval::whiskers};
   Range range = with_zero;
   for (const Ranked& each : ranks) {
     const statistics::Estimate& elo = *each.elo;
-    // An interval without an end has none to be drawn.
     const bool bounded = elo.interval.bounded();
     const double low = bounded ? elo.interval.low : elo.value, high = bounded ? elo.interval.high : elo.value;
     out.csv += fmt::format("{},{},{},{}\n", figure_field(view.label(each.team)), elo.value, low, high);
@@ -175,7 +176,6 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
   return out;
 }
 
-// Elo over pairs, of the first ones of the ranking.
 std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<const RankingPoint> curve) {
   std::vector<std::size_t> teams;
   for (const Ranked& each : ranking(view.plan, view.course)) teams.push_back(each.team);
@@ -205,32 +205,30 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
     for (std::size_t i = 0; i < teams.size(); ++i) {
       const double elo = each.elo[teams[i]];
       out.csv += ',' + figure_field(elo);
+      if (each.pair < first_drawn(curve.back().pair)) continue;
       series[i].points.push_back({static_cast<double>(each.pair), elo});
-      if (each.pair >= curve.back().pair / 10) range.take(elo);
+      range.take(elo);
     }
     out.csv += '\n';
     last = each.pair;
   }
   if (last == 0) return std::nullopt;
+  out.description += drawn_from(curve.back().pair);
   out.chart = {
       .y = {.title = "Elo", .range = range.with_room()}, .panels = {{pairs_axis(last), series}}, .height = 270.0};
   return out;
 }
 
-// --- Of matches ------------------------------------------------------------------------------------------------------
-
-std::string number_or_nothing(const statistics::Moments* moments) {
-  return moments == nullptr || moments->count() == 0 ? std::string() : fmt::format("{}", moments->mean());
+double mean_of(const statistics::Moments* moments) {
+  return moments == nullptr || moments->count() == 0 ? unknown : moments->mean();
 }
 
-std::optional<Figure> goal_differences(const TournamentView& view, const CourseRecord& record) {
+std::optional<Figure> goal_differences(const TournamentView& view, const TournamentHistory& record) {
   if (view.course.matches() == 0) return std::nullopt;
   const GoalDifferences& counts = record.goals_of(0);
-  Figure out{
-      .name = "goal_differences",
-      .title = "Goal differences of matches",
-      .description = fmt::format("Matches by goals of {} less goals of {}. Black: forfeits. {} or more count as {}.",
-                                 view.label(0), view.label(1), GoalDifferences::largest, GoalDifferences::largest)};
+  Figure out{.name = "goal_differences",
+             .title = "Goal differences of matches",
+             .description = fmt::format("Matches by goals of {} less goals of {}.", view.label(0), view.label(1))};
   out.csv = "goal_difference,played,forfeited\n";
   Series won{.name = name_with(view.label(0), " wins"), .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
       lost{.name = name_with(view.label(1), " wins"), .colour = 1, .bar = 0.8},
@@ -245,7 +243,11 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
     if (played + forfeits > 0.0) widest = std::max(widest, std::abs(difference));
   }
   std::vector<Series> series{won, drawn, lost};
-  if (!forfeited.points.empty()) series.push_back(forfeited);
+  if (!forfeited.points.empty()) {
+    out.description += " Black: forfeits.";
+    series.push_back(forfeited);
+  }
+  if (widest == GoalDifferences::largest) out.description += fmt::format(" {} or more count as {}.", widest, widest);
   const Axis goals{
       .title = fmt::format("goals of {} less goals of {}", in_title(view.label(0)), in_title(view.label(1))),
       .range = Range{-widest - 0.6, widest + 0.6},
@@ -254,13 +256,13 @@ std::optional<Figure> goal_differences(const TournamentView& view, const CourseR
   return out;
 }
 
-std::string with_spaces(std::string name) {
-  std::ranges::replace(name, '_', ' ');
-  return name;
-}
-
-std::optional<Figure> roles(const TournamentView& view, const CourseRecord& record) {
-  const std::vector<std::string> names = role_names(record.numbers(), 2);
+std::optional<Figure> roles(const TournamentView& view, const TournamentHistory& record) {
+  const MatchNumbers& numbers = record.numbers();
+  std::vector<std::string> names = role_names(numbers, 2);
+  std::erase_if(names, [&](const std::string& role) {
+    return std::ranges::all_of(role_measures,
+                               [&](const char* each) { return all_zero(numbers, 2, role + '.' + each); });
+  });
   if (names.empty()) return std::nullopt;
   Figure out{.name = "roles",
              .title = "Overlap, uncovered time and switches by role",
@@ -268,19 +270,17 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
                  "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
                  view.label(0), view.label(1))};
   out.csv = "role";
-  for (const char* measure : role_measures) {
-    for (const std::size_t team : {0u, 1u})
-      out.csv += ',' + figure_field(fmt::format("{} {}", view.label(team), measure));
-  }
-  out.csv += '\n';
-  constexpr std::array<const char*, 3> titles{"overlap, s", "uncovered, s", "switches"};
+  constexpr std::array<const char*, role_measures.size()> titles{"overlap, s", "uncovered, s", "switches"};
   std::vector<Panel>& panels = out.chart.panels;
-  for (const char* title : titles) {
-    panels.push_back({{.title = title, .from_zero = true},
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    for (const std::size_t team : {0u, 1u})
+      out.csv += ',' + figure_field(fmt::format("{} {}", view.label(team), role_measures[i]));
+    panels.push_back({{.title = titles[i], .from_zero = true},
                       {{.colour = grey, .join = Join::line},
                        {.name = view.label(0), .shape = Shape::circle},
                        {.name = view.label(1), .colour = 1, .shape = Shape::triangle}}});
   }
+  out.csv += '\n';
   for (const std::string& role : names) {
     const auto row = static_cast<double>(out.chart.rows.size());
     out.chart.rows.push_back(role);
@@ -288,13 +288,12 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
     for (std::size_t i = 0; i < titles.size(); ++i) {
       Series& both = panels[i].series[0];
       for (const std::size_t team : {0u, 1u}) {
-        const auto* const found = record.numbers().find(team, role + '.' + role_measures[i]);
-        out.csv += ',' + number_or_nothing(found);
-        const Point mean{found == nullptr || found->count() == 0 ? unknown : found->mean(), row};
+        const Point mean{mean_of(numbers.find(team, role + '.' + role_measures[i])), row};
+        out.csv += ',' + figure_field(mean.x);
         panels[i].series[team + 1].points.push_back(mean);
         both.points.push_back(mean);
       }
-      both.points.push_back({unknown, row});  // the next role's line is another one
+      both.points.push_back({unknown, row});  // ends the line that joins the points of both teams in this role
     }
     out.csv += '\n';
   }
@@ -303,9 +302,10 @@ std::optional<Figure> roles(const TournamentView& view, const CourseRecord& reco
   return out;
 }
 
-std::optional<Figure> packets(const TournamentView& view, const CourseRecord& record) {
-  std::vector<std::string> reasons = packet_reasons(record.numbers(), 2);
-  std::erase_if(reasons, [&](const std::string& reason) { return sent_none(record.numbers(), 2, reason); });
+std::optional<Figure> packets(const TournamentView& view, const TournamentHistory& record) {
+  const MatchNumbers& numbers = record.numbers();
+  std::vector<std::string> reasons = packet_reasons(numbers, 2);
+  std::erase_if(reasons, [&](const std::string& reason) { return all_zero(numbers, 2, packets_prefix + reason); });
   if (reasons.empty()) return std::nullopt;
   Figure out{
       .name = "packets",
@@ -317,12 +317,12 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
     const auto row = static_cast<double>(out.chart.rows.size());
     out.csv += figure_field(reason);
     for (const std::size_t team : {0u, 1u}) {
-      const statistics::Moments* const found = record.numbers().find(team, packets_prefix + reason);
-      out.csv += ',' + number_or_nothing(found);
-      if (found != nullptr) teams[team].points.push_back({found->mean(), row + (team == 0 ? -0.19 : 0.19)});
+      const double mean = mean_of(numbers.find(team, packets_prefix + reason));
+      out.csv += ',' + figure_field(mean);
+      teams[team].points.push_back({mean, row + (team == 0 ? -0.19 : 0.19)});
     }
     out.csv += '\n';
-    out.chart.rows.push_back(with_spaces(reason));
+    out.chart.rows.push_back(spaced(reason));
   }
   out.chart.height = 28.0 * static_cast<double>(reasons.size());
   out.chart.panels = {{{.title = "packets per match"}, teams}};
@@ -331,7 +331,7 @@ std::optional<Figure> packets(const TournamentView& view, const CourseRecord& re
 
 }  // namespace
 
-std::vector<Figure> tournament_figures(const TournamentView& view, const CourseRecord& record) {
+std::vector<Figure> tournament_figures(const TournamentView& view, const TournamentHistory& record) {
   std::vector<Figure> out;
   const auto add = [&out](std::optional<Figure> figure) {
     if (figure) out.push_back(std::move(*figure));

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What the matches of a tournament were like: goal differences, how well the teams were coordinated, what they sent,
-// and recordings to look at.
+// Sections about the matches of a tournament: goal differences, coordination of the teams, packets, and recordings.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "report/csv_text.hpp"
+#include "recording/recording_metadata.hpp"
+#include "report/metric_reference.hpp"
 #include "report/number.hpp"
-#include "report/packets_spent.hpp"
-#include "report/role_names.hpp"
-#include "report/tournament_outline.hpp"
+#include "report/tournament_report.hpp"
+#include "study/study.hpp"
 #include "texts/message.hpp"
-#include "texts/visible.hpp"
 
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_teams = 40;  // of which the roles are shown
+constexpr std::size_t most_teams = 40;  // largest number of teams whose roles the report shows
 
-// Hundreds need less behind the point, and have less room.
+// Returns the number of decimals of a value: `digits`, or at most 1 from a value of 100 on.
 int digits_of(double value, int digits) { return std::abs(value) < 100.0 ? digits : std::min(digits, 1); }
 
 Cell mean_of(const statistics::Moments* moments, int digits) {
@@ -28,7 +26,7 @@ Cell mean_of(const statistics::Moments* moments, int digits) {
   return fixed(moments->mean(), digits_of(moments->mean(), digits));
 }
 
-// Of first less second. Stressed where the interval leaves zero out.
+// Returns a cell with first team minus second team. The cell is emphasised if the interval does not contain zero.
 Cell difference_of(const study::MetricDifference* difference, int digits) {
   if (difference == nullptr) return "–";
   const statistics::Estimate estimate = difference->estimate();
@@ -45,7 +43,7 @@ struct Measure {
   int digits = 2;
 };
 
-// Numbers of two teams beside each other.
+// Returns a table with the numbers of two teams beside each other.
 Table compared(const TournamentView& view, const MatchNumbers& numbers, const char* title,
                const std::vector<Measure>& measures) {
   Table out{{{title, Column::words}, {named(view.label(0))}, {named(view.label(1))}, {"difference"}}};
@@ -56,36 +54,26 @@ Table compared(const TournamentView& view, const MatchNumbers& numbers, const ch
   return out;
 }
 
-// Measures in columns, a row for each team.
-Table by_team(const TournamentView& view, const MatchNumbers& numbers, std::size_t teams, const char* title,
-              const std::vector<Measure>& measures) {
+// What the rows of a table of teams and measures are. The columns are then the measures or the teams.
+enum class Rows { teams, measures };
+Table means_of(const TournamentView& view, const MatchNumbers& numbers, std::size_t teams, Rows rows, const char* title,
+               const std::vector<Measure>& measures) {
   Table out{{{title, Column::words}}};
-  for (const Measure& each : measures) out.headings.push_back({each.title});
-  for (std::size_t team = 0; team < teams; ++team) {
-    std::vector<Cell> cells{named(view.label(team))};
-    for (const Measure& each : measures) cells.push_back(mean_of(numbers.find(team, each.path), each.digits));
+  const bool by_team = rows == Rows::teams;
+  const auto name = [&](bool of_team, std::size_t i) {
+    return of_team ? named(view.label(i)) : by_team ? Sentence(measures[i].title) : named(measures[i].title);
+  };
+  const std::size_t columns = by_team ? measures.size() : teams;
+  for (std::size_t i = 0; i < columns; ++i) out.headings.push_back({name(!by_team, i)});
+  for (std::size_t row = 0; row < (by_team ? teams : measures.size()); ++row) {
+    std::vector<Cell> cells{name(by_team, row)};
+    for (std::size_t i = 0; i < columns; ++i) {
+      const Measure& measure = measures[by_team ? i : row];
+      cells.push_back(mean_of(numbers.find(by_team ? row : i, measure.path), measure.digits));
+    }
     out.row(std::move(cells));
   }
   return out;
-}
-
-// The same, teams in columns.
-Table by_measure(const TournamentView& view, const MatchNumbers& numbers, std::size_t teams, const char* title,
-                 const std::vector<Measure>& measures) {
-  Table out{{{title, Column::words}}};
-  for (std::size_t team = 0; team < teams; ++team) out.headings.push_back({named(view.label(team))});
-  for (const Measure& each : measures) {
-    std::vector<Cell> cells{named(each.title)};
-    for (std::size_t team = 0; team < teams; ++team)
-      cells.push_back(mean_of(numbers.find(team, each.path), each.digits));
-    out.row(std::move(cells));
-  }
-  return out;
-}
-
-std::string spaced(std::string words) {
-  std::ranges::replace(words, '_', ' ');
-  return words;
 }
 
 Sentence mark(const char* team) { return {Sentence::Kind::mark, team}; }
@@ -106,37 +94,37 @@ Table roles_of_two(const MatchNumbers& numbers, const std::vector<std::string>& 
   };
   for (const std::string& role : roles) add(named(role), role + '.');
   add(strong("all roles"), "");
-  out.look = Table::Look::tight;
+  out.style = Table::Style::tight;
   return out;
 }
 
 void add_roles_of_several(const TournamentView& view, const MatchNumbers& numbers,
                           const std::vector<std::string>& roles, std::size_t teams, Section& out) {
-  out.table(by_team(view, numbers, teams, "All roles together, per match",
-                    {{"overlap, s", role_measures[0], 1},
-                     {"uncovered, s", role_measures[1], 1},
-                     {"switches", role_measures[2], 1},
-                     {"agreement, share of time", "agreement", 3}}));
+  out.table(means_of(view, numbers, teams, Rows::teams, "All roles together, per match",
+                     {{"overlap, s", role_measures[0], 1},
+                      {"uncovered, s", role_measures[1], 1},
+                      {"switches", role_measures[2], 1},
+                      {"agreement, share of time", "agreement", 3}}));
   constexpr std::array<const char*, role_measures.size()> titles{"Overlap, s per match", "Uncovered, s per match",
                                                                  "Switches per match"};
   for (std::size_t i = 0; i < titles.size(); ++i) {
     std::vector<Measure> measures;
     for (const std::string& role : roles) measures.push_back({role, role + '.' + role_measures[i], 1});
-    Table table = by_measure(view, numbers, teams, "Role", measures);
+    Table table = means_of(view, numbers, teams, Rows::measures, "Role", measures);
     table.summary = fmt::format("{}, by role", titles[i]);
     out.table(std::move(table));
   }
 }
 
-// Rows of teams, columns of differences.
-Table goals_of_several(const TournamentView& view, const CourseRecord& record) {
+// Returns a table with teams in rows and goal differences in columns.
+Table goals_of_several(const TournamentView& view, const TournamentHistory& record) {
   constexpr int shown = 5;
   Table out{{{"Matches by goal difference", Column::words}}};
   for (int difference = -shown; difference <= shown; ++difference) {
     const char* const sign = std::abs(difference) < shown ? "" : difference < 0 ? "≤ " : "≥ ";
     out.headings.push_back({fmt::format("{}{}{}", sign, difference > 0 ? "+" : "", difference)});
   }
-  out.look = Table::Look::heat;
+  out.style = Table::Style::heat;
   out.file = "goal_differences.csv";
   out.csv = "team,goal_difference,played,forfeited\n";
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
@@ -163,7 +151,7 @@ Table goals_of_several(const TournamentView& view, const CourseRecord& record) {
   return out;
 }
 
-// Of games that are shorter than a match, whose budget is that of a whole one.
+// Adds packets and share of the budget of each team, if the games are short but have the budget of a whole match.
 void add_share_of_packets(const TournamentView& view, Section& out) {
   bool overspent = false;
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
@@ -181,7 +169,7 @@ void add_share_of_packets(const TournamentView& view, Section& out) {
 
 }  // namespace
 
-Section goals_section(const TournamentView& view, const CourseRecord& record) {
+Section goals_section(const TournamentView& view, const TournamentHistory& record) {
   Section out("goals", "Goal differences");
   if (view.course.matches() == 0) return out;
   if (view.plan.teams.size() == 2)
@@ -191,7 +179,7 @@ Section goals_section(const TournamentView& view, const CourseRecord& record) {
   return out;
 }
 
-Section roles_section(const TournamentView& view, const CourseRecord& record,
+Section roles_section(const TournamentView& view, const TournamentHistory& record,
                       std::span<const match::MetricRow> metrics) {
   Section out("roles", "Coordination");
   const std::size_t teams = std::min(view.plan.teams.size(), most_teams);
@@ -200,13 +188,12 @@ Section roles_section(const TournamentView& view, const CourseRecord& record,
   if (roles.empty()) return out;
   out.line(
       "Overlap: two robots hold the role at once. Uncovered: no robot holds the role although it is wanted. Switches: "
-      "a "
-      "robot takes a role that it did not hold. The numbers are means of the matches played to their end.");
+      "a robot takes a role that it did not hold. The numbers are means of the matches played to their end.");
   if (teams > 2) {
     add_roles_of_several(view, numbers, roles, teams, out);
     return out;
   }
-  out.figures({"roles"}, Figures::Look::wide);
+  out.figures({"roles"});
   out.note(mark("first") << named(view.label(0)) << "   " << mark("second") << named(view.label(1)));
   out.table(roles_of_two(numbers, roles));
   std::vector<Measure> others;
@@ -220,14 +207,14 @@ Section roles_section(const TournamentView& view, const CourseRecord& record,
   return out;
 }
 
-Section packets_section(const TournamentView& view, const CourseRecord* record) {
+Section packets_section(const TournamentView& view, const TournamentHistory* record) {
   Section out("packets", "Packets");
   if (record != nullptr) {
     const std::size_t teams = std::min(view.plan.teams.size(), most_teams);
     const MatchNumbers& numbers = record->numbers();
     std::vector<std::string> reasons = packet_reasons(numbers, teams);
-    const auto without =
-        std::erase_if(reasons, [&](const std::string& reason) { return sent_none(numbers, teams, reason); });
+    const auto without = std::erase_if(
+        reasons, [&](const std::string& reason) { return all_zero(numbers, teams, packets_prefix + reason); });
     std::vector<Measure> measures;
     for (const std::string& reason : reasons) measures.push_back({spaced(reason), packets_prefix + reason, 2});
     measures.push_back({"all", "packets", 2});
@@ -237,7 +224,7 @@ Section packets_section(const TournamentView& view, const CourseRecord* record) 
         out.table(compared(view, numbers, "Packets per match", measures));
       } else {
         for (Measure& each : measures) each.digits = 1;
-        out.table(by_team(view, numbers, teams, "Packets per match", measures));
+        out.table(means_of(view, numbers, teams, Rows::teams, "Packets per match", measures));
       }
       if (without > 0) out.note(fmt::format("{} other events caused no packet.", without));
     }
@@ -246,20 +233,44 @@ Section packets_section(const TournamentView& view, const CourseRecord* record) 
   return out;
 }
 
-Section plugins_section(const TournamentView& view, const CourseRecord& record) {
+Section plugins_section(const TournamentView& view, const TournamentHistory& record) {
   Section out("plugins", "Numbers of plugins");
   const std::size_t teams = std::min(view.plan.teams.size(), most_teams);
   const MatchNumbers& numbers = record.numbers();
   std::vector<Measure> measures;
   for (const std::string& path : plugin_metrics(numbers, teams)) {
-    std::string title = path.substr(path.find('.') + 1);  // "count_crossings: crossings"
+    std::string title = path.substr(path.find('.') + 1);  // for example "count_crossings: crossings"
     title.replace(title.find('.'), 1, ": ");
     measures.push_back({title, path, 3});
   }
   if (measures.empty()) return out;
   out.line(Sentence("Plugins count these themselves; ") << code("regista plugin info ID") << " says what they mean.");
   out.table(teams == 2 ? compared(view, numbers, "Mean of the matches", measures)
-                       : by_measure(view, numbers, teams, "Mean of the matches", measures));
+                       : means_of(view, numbers, teams, Rows::measures, "Mean of the matches", measures));
+  return out;
+}
+
+PageRecordings page_recordings(const TournamentView& view, const TournamentHistory& record,
+                               const std::filesystem::path& results) {
+  constexpr std::string_view kind = "opening ";  // beginning of the name of an opening among the inputs
+  PageRecordings out;
+  out.not_read = record.recorded_matches() - record.recorded().size();
+  for (const RecordedRow& each : record.recorded()) {
+    const study::Fixture fixture = view.course.calendar().at(each.index);
+    recording::RecordingIdentity match{
+        fixture.seed, {view.plan.teams[fixture.home].label, view.plan.teams[fixture.away].label}, "", {}, {}};
+    if (!view.plan.openings.empty()) {
+      const std::string& input = view.plan.openings[fixture.opening].input.name;
+      match.opening = input.starts_with(kind) ? input.substr(kind.size()) : input;
+    }
+    if (!each.forfeited) {
+      match.score = each.score;
+      match.packets = each.packets;
+    }
+    if (recording::is_recording_of(study::recording_file(results, static_cast<std::int64_t>(each.index) + 1), match)) {
+      out.fitting.push_back(each);
+    }
+  }
   return out;
 }
 
@@ -276,16 +287,16 @@ Section recordings_section(const TournamentView& view, const PageRecordings& rec
   for (const RecordedRow& each : recordings.fitting) {
     const study::Fixture fixture = view.course.calendar().at(each.index);
     const RecordingLink link = link_to(each.index);
+    const std::string scene = scene_name(view.plan.openings, fixture.opening);
     Sentence who = named(view.label(fixture.home)) << " – " << named(view.label(fixture.away));
     if (each.forfeited) who << " (forfeit, as far as it was played)";
     table.row({each.index + 1, who, fmt::format("{}:{}", each.score[0], each.score[1]), fixture.seed,
-               scene_of(view, fixture).empty() ? "–" : scene_of(view, fixture),
-               Sentence(Sentence::Kind::link, link.path), code(link.command)});
+               scene.empty() ? "–" : scene, Sentence(Sentence::Kind::link, link.path), code(link.command)});
   }
   if (!table.rows.empty()) out.line("Run the commands in the folder of this page.");
   out.table(std::move(table));
   if (recordings.not_read > 0)
-    out.note(fmt::format("{} not read.", texts::counted(recordings.not_read, "more file", "more files")));
+    out.note(fmt::format("{} not read.", texts::plural(recordings.not_read, "more file", "more files")));
   return out;
 }
 

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "report/tournament_report.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
+#include <array>
+#include <iterator>
 #include <optional>
-#include <system_error>
 #include <utility>
 
-#include "process/program.hpp"
-#include "report/course_record.hpp"
-#include "report/page_recordings.hpp"
-#include "report/tournament.hpp"
-#include "report/tournament_figures.hpp"
-#include "report/tournament_outline.hpp"
-#include "study/recording_place.hpp"
-#include "study/tournament.hpp"
+#include "config/node.hpp"
+#include "config/scalar.hpp"
+#include "config/values.hpp"
+#include "process/child.hpp"
+#include "report/matches_section.hpp"
+#include "report/number.hpp"
+#include "report/standing.hpp"
+#include "report/what_was_played.hpp"
+#include "study/measure.hpp"
+#include "study/study.hpp"
+#include "texts/json.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {
@@ -25,19 +28,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Places in the schedule that recordings are called by, ascending; what these hold is another matter.
+// Returns the ascending indices (in the schedule) of the matches for which a recording file exists. Reads no such file.
 std::vector<std::uint64_t> recorded(const fs::path& results) {
   std::vector<std::uint64_t> out;
-  std::error_code error;
-  for (fs::directory_iterator each(study::recording_folder(results), error), end; !error && each != end;
-       each.increment(error)) {
-    if (each->path().extension() != ".mcap") continue;
-    const std::string stem = each->path().stem().string();
-    std::uint64_t row = 0;
-    const auto [rest, wrong] = std::from_chars(stem.data(), stem.data() + stem.size(), row);
-    if (wrong == std::errc() && stem == std::to_string(row) && row > 0) out.push_back(row - 1);
+  for (const std::uint64_t row : numbered_files(study::recording_folder(results), ".mcap")) {
+    if (row > 0) out.push_back(row - 1);
   }
-  std::ranges::sort(out);
   return out;
 }
 
@@ -45,8 +41,6 @@ class TournamentReport final : public StudyReport {
  public:
   TournamentReport(study::TournamentPlan plan, CommandOf again)
       : plan_(std::move(plan)), course_(plan_), again_(std::move(again)) {}
-  TournamentReport(const TournamentReport&) = delete;
-  TournamentReport& operator=(const TournamentReport&) = delete;
 
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
@@ -58,30 +52,74 @@ class TournamentReport final : public StudyReport {
   }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
   Outline outline() const override { return tournament_outline(view()); }
-  Outline page_outline(const PageFiles& files) const override;
-  std::vector<std::string> notes() const override;
+  Outline page_outline(const PageFiles& files) const override {
+    const auto link = [&files](std::uint64_t match) {
+      const fs::path file = study::recording_file(files.results, static_cast<std::int64_t>(match) + 1);
+      const std::string from_page =
+          fs::absolute(file).lexically_relative(fs::absolute(files.page).parent_path()).generic_string();
+      const std::string shown = study::beside(files.results, fmt::format("-{}.html", match + 1)).filename().string();
+      return RecordingLink{from_page, process::command_line(std::vector<std::string>{"view", as_argument(from_page),
+                                                                                     "-o", as_argument(shown)})};
+    };
+    const TournamentView view = this->view();
+    const TournamentPage page{*record_, files.documents, page_recordings(view, *record_, files.results), link};
+    return tournament_outline(view, &page);
+  }
+  void end_after(std::uint64_t pairs) override { plan_.ended_after = pairs; }
+  std::vector<std::string> notes() const override {
+    std::vector<std::string> out;
+    for (const study::Pairing& pairing : course_.calendar().pairings()) {
+      if (!study::equal_teams(plan_, pairing)) continue;
+      out.push_back(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",
+                                plan_.teams[pairing.first].label, plan_.teams[pairing.second].label));
+    }
+    add_notes_on_pairs(plan_, out);
+    return out;
+  }
   std::string standing() const override { return fmt::format("{}\n{}", title(view()), standing_text(view())); }
-  std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override;
+  std::string match(const study::Round& /*round*/, std::uint64_t index,
+                    const campaign::MatchResult& decided) const override {
+    const study::Fixture fixture = course_.calendar().at(index);
+    const std::string scene = scene_name(plan_.openings, fixture.opening);
+    std::string line = fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
+                                   plan_.teams[fixture.home].label, decided.score[0], decided.score[1],
+                                   plan_.teams[fixture.away].label);
+    if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
+    if (decided.failure) {
+      const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
+      line += ", " + forfeit_text(plan_.teams[loser].label, *decided.failure);
+    }
+    return line;
+  }
+  MatchPlayers players(const study::Round& /*round*/, std::uint64_t index) const override {
+    const study::Fixture fixture = course_.calendar().at(index);
+    return {{plan_.teams[fixture.home].label, plan_.teams[fixture.away].label},
+            scene_name(plan_.openings, fixture.opening),
+            fixture.seed};
+  }
 
   std::string incomplete() const override {
     if (course_.complete()) return {};
+    if (course_.ends_by_the_clock_alone())
+      return fmt::format("{} without a gap: the tournament is not at its end",
+                         texts::plural(course_.matches(), "match", "matches"));
     return fmt::format("{} of {} matches without a gap: the tournament is not at its end", course_.matches(),
                        course_.calendar().matches());
   }
 
   bool has_a_column_for_each_metric() const override { return true; }
-  std::string begin_table(const TableWish& wish) override {
-    columns_ = match::MetricColumns(wish.all_metrics ? wish.metrics : csv_metrics(plan_));
+  std::string begin_table(const TableOptions& options) override {
+    columns_ = match::MetricColumns(options.all_metrics ? options.metrics : csv_metrics(plan_));
     return csv_head(columns_.paths());
   }
   std::string table_lines(const study::Round& /*round*/, std::uint64_t index,
-                          const campaign::Decided& decided) override {
+                          const campaign::MatchResult& decided) override {
     return csv_line(view(), index, decided, columns_);
   }
 
   campaign::Metrics page_metrics() const override { return campaign::Metrics::wanted; }
   void begin_page(const fs::path& results) override { record_.emplace(plan_, course_, recorded(results)); }
-  void take(const study::Round& /*round*/, std::uint64_t /*index*/, const campaign::Decided* decided) override {
+  void take(const study::Round& /*round*/, std::uint64_t /*index*/, const campaign::MatchResult* decided) override {
     record_->take(decided);
   }
   void end_page() override { record_->end(); }
@@ -96,54 +134,322 @@ class TournamentReport final : public StudyReport {
   study::TournamentPlan plan_;
   study::Tournament course_;
   CommandOf again_;
-  match::MetricColumns columns_;  // of the table that was begun
-  std::optional<CourseRecord> record_;
+  match::MetricColumns columns_;  // columns of the table in progress
+  std::optional<TournamentHistory> record_;
 };
 
-std::vector<std::string> TournamentReport::notes() const {
-  std::vector<std::string> out;
-  for (const study::Pairing& pairing : course_.calendar().pairings()) {
-    if (!study::equal_teams(plan_, pairing)) continue;
-    out.push_back(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",
-                              plan_.teams[pairing.first].label, plan_.teams[pairing.second].label));
+std::vector<Tile> tiles_of(const TournamentView& view) {
+  std::vector<Tile> out;
+  const study::Meeting& meeting = view.course.meetings().front();
+  const std::optional<Strength> known = strength(view.course, meeting);
+  if (view.plan.teams.size() == 2 && known) {
+    const auto& [losses, draws, wins] = meeting.games.seen;
+    const double share = points(meeting.games) / static_cast<double>(meeting.matches());
+    const double goals = meeting.goals_of_pairs.mean();
+    const bool with_margin = known->goals_t && is_of_fixed_number(view.plan, view.course);
+    const double margin = with_margin ? half_width(known->goals_t->interval) : 0.0;
+    out.push_back({with_margin ? fmt::format("{} ± {}", rounded_with_sign(goals, margin), rounded(margin, margin))
+                               : with_sign(goals, 2),
+                   fmt::format("goals a {}{}", game_word(view.plan), with_margin ? ", with a margin of 95 %" : "")});
+    out.push_back({fmt::format("{:.1f} %", 100.0 * share),
+                   fmt::format("of the points, {:.1f} of {}", points(meeting.games), meeting.matches())});
+    out.push_back({fmt::format("{} – {} – {}", wins, draws, losses), "won – drawn – lost"});
+    out.push_back({fmt::format("{} : {}", meeting.goals[0], meeting.goals[1]), "goals"});
+  } else {
+    out.push_back({std::to_string(view.plan.teams.size()), "teams"});
+    out.push_back({std::to_string(view.course.calendar().pairings().size()), "pairings"});
   }
+  std::string games = games_in_words(view.plan.openings);
+  if (!view.plan.ends_by_the_clock_alone()) games += fmt::format(" of {} planned", view.course.calendar().matches());
+  out.push_back({std::to_string(view.course.matches()), games});
   return out;
 }
 
-std::string TournamentReport::match(const study::Round& /*round*/, std::uint64_t index,
-                                    const campaign::Decided& decided) const {
-  const study::Fixture fixture = course_.calendar().at(index);
-  const std::string scene = scene_of(view(), fixture);
-  std::string line =
-      fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
-                  plan_.teams[fixture.home].label, decided.score[0], decided.score[1], plan_.teams[fixture.away].label);
-  if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
-  if (decided.failure) {
-    const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
-    line += ", " + forfeit_text(plan_.teams[loser].label, *decided.failure);
-  }
-  return line;
+// Describes the scenes. With a fixed number of pairs, pair k plays scene k, so that fewer pairs than scenes play only
+// the first scenes. A sequential test draws the scenes at random.
+std::string scenes_text(const study::TournamentPlan& plan) {
+  const bool in_order = std::holds_alternative<study::FixedNumber>(plan.objective());
+  const std::uint64_t pairs = plan.pairs_to_its_end();
+  const std::string all = scenes_in_words(plan.openings, plan.asked.settings.limit);
+  return in_order && pairs < plan.openings.size() ? fmt::format("the first {} of {}", pairs, all) : all;
 }
 
-Outline TournamentReport::page_outline(const PageFiles& files) const {
-  const auto link = [&files](std::uint64_t match) {
-    const fs::path file = study::recording_file(files.results, static_cast<std::int64_t>(match) + 1);
-    const std::string from_page =
-        fs::absolute(file).lexically_relative(fs::absolute(files.page).parent_path()).generic_string();
-    const std::string shown = study::beside(files.results, fmt::format("-{}.html", match + 1)).filename().string();
-    const auto word = [](const std::string& path) { return path.starts_with('-') ? "./" + path : path; };
-    return RecordingLink{from_page,
-                         process::command_line(std::vector<std::string>{"view", word(from_page), "-o", word(shown)})};
-  };
-  const TournamentView view = this->view();
-  const TournamentPage page{*record_, files.documents, page_recordings(view, *record_, files.results), link};
-  return tournament_outline(view, &page);
+// Returns the name of the figure with the numbers that decide the tournament; empty without a verdict.
+std::string lead_of(const TournamentView& view) {
+  if (is_without_verdict(view.plan, view.course)) return {};
+  if (view.plan.teams.size() > 2) return "ranking";
+  const study::Objective objective = view.plan.objective();
+  if (std::holds_alternative<study::ScoreTest>(objective)) return "llr";
+  return std::holds_alternative<study::ValueTest>(objective) ? "value" : "goal_differences";
+}
+
+using Json = nlohmann::ordered_json;
+
+Json score_test(const statistics::SequentialTest& test) {
+  const auto& design = test.design();
+  return {{"model", name(design.model)},
+          {"elo0", design.hypotheses.elo0},
+          {"elo1", design.hypotheses.elo1},
+          {"alpha", design.rates.alpha},
+          {"beta", design.rates.beta},
+          {"llr", test.ratio().value},
+          {"llr_bounds", {test.bounds().lower, test.bounds().upper}},
+          {"llr_stopping", {test.stopping().lower, test.stopping().upper}}};
+}
+
+Json metric(const study::Meeting& meeting, const study::ValueTest& test) {
+  const study::MetricDifference& metric = *meeting.metric;
+  const statistics::Estimate estimate = metric.estimate();
+  return {{"name", test.value},
+          {"alpha", test.alpha},
+          {"means", {metric.first().mean(), metric.second().mean()}},
+          {"difference", estimate.value},
+          {"interval", json_of(estimate.interval)},
+          {"pairs_less_equal_more", metric.signs()},
+          {"p", metric.test().p()},
+          {"pairs_without", meeting.pairs_without_metric}};
+}
+
+// p, and p adjusted by Holm's method. Both are missing unless the fixed number of pairs has been played.
+using Chance = std::pair<std::optional<double>, std::optional<double>>;
+
+Json meeting_json(const TournamentView& view, const study::Meeting& meeting, const Chance& p) {
+  Json out;
+  out["teams"] = {view.label(meeting.pairing.first), view.label(meeting.pairing.second)};
+  out["equal_teams"] = study::equal_teams(view.plan, meeting.pairing);
+  out["games"] = meeting.matches();
+  out["wins"] = meeting.games.seen[2];
+  out["losses"] = meeting.games.seen[0];
+  out["draws"] = meeting.games.seen[1];
+  out["points"] = points(meeting.games);
+  out["pentanomial"] = meeting.pairs.seen;
+  out["unplayed_pairs"] = meeting.unplayed_pairs;
+  out["goals"] = meeting.goals;
+  if (const std::optional<Strength> known = strength(view.course, meeting)) {
+    out["elo"] = known->elo.value;
+    out["elo_interval"] = json_of(known->elo.interval);
+    out["nelo"] = known->normalized_elo.value;
+    out["nelo_interval"] = json_of(known->normalized_elo.interval);
+    out["los"] = json_or_null(known->superiority);
+    out["p"] = json_or_null(p.first);
+    out["p_holm"] = json_or_null(p.second);
+    out["pair_ratio"] = json_or_null(known->pair_ratio);
+    out["variance_ratio"] = {{"scores", json_or_null(known->score_ratio)}, {"goals", json_or_null(known->goals_ratio)}};
+    Json goals{{"mean", meeting.goals_of_pairs.mean()},
+               {"standard_deviation", meeting.goals_of_pairs.standard_deviation()},
+               {"confidence_sequence", json_of(meeting.goals_sequence.interval())}};
+    goals["t_interval"] = p.first && known->goals_t ? json_of(known->goals_t->interval) : Json(nullptr);
+    out["goals_per_match"] = goals;
+  }
+  if (meeting.score_test) out["sprt"] = score_test(*meeting.score_test);
+  if (meeting.metric) out["metric"] = metric(meeting, std::get<study::ValueTest>(view.plan.objective()));
+  return out;
 }
 
 }  // namespace
 
 std::unique_ptr<StudyReport> tournament_report(study::TournamentPlan plan, CommandOf again) {
   return std::make_unique<TournamentReport>(std::move(plan), std::move(again));
+}
+
+match::MetricPaths csv_metrics(const study::TournamentPlan& plan) {
+  return plan.short_games() ? match::packet_paths() : match::MetricPaths{};
+}
+
+std::string csv_head(const match::MetricPaths& metrics) {
+  std::string out =
+      "row,pair,seed,opening,home,away,home_goals,away_goals,ended,state_hash,forfeited_by,plugin,call,why";
+  for (const std::string& each : metrics.of_teams)
+    out += fmt::format(",{},{}", csv_field("home." + each), csv_field("away." + each));
+  for (const std::string& each : metrics.of_match) out += ',' + csv_field(each);
+  return out + '\n';
+}
+
+std::string csv_line(const TournamentView& view, std::uint64_t index, const campaign::MatchResult& decided,
+                     match::MetricColumns& metrics) {
+  const study::Fixture fixture = view.course.calendar().at(index);
+  const auto& teams = view.plan.teams;
+  const std::string opening = scene_name(view.plan.openings, fixture.opening);
+  // A match that could not be played has an empty field for its score.
+  const auto goals = [&decided](std::size_t side) {
+    return decided.set_aside() ? std::string() : std::to_string(decided.score[side]);
+  };
+  std::string out = fmt::format("{},{},{},{},{},{},{},{},{},{},", index + 1, fixture.pair + 1, fixture.seed,
+                                csv_field(opening), csv_field(teams[fixture.home].label),
+                                csv_field(teams[fixture.away].label), goals(0), goals(1), decided.ended, decided.hash);
+  if (decided.failure) {
+    const campaign::Failure& failure = *decided.failure;
+    out += fmt::format("{},{},{},{}", failure.side == 0 ? "home" : "away", csv_field(failure.plugin),
+                       csv_field(failure.call), csv_field(failure.what));
+  } else {
+    out += ",,," + csv_field(decided.why_set_aside);
+  }
+  const auto write = [&out](const std::optional<double>& value) {
+    out += ',';
+    if (value) fmt::format_to(std::back_inserter(out), FMT_COMPILE("{}"), *value);
+  };
+  std::ranges::for_each(metrics.of(decided.metrics), write);
+  return out + '\n';
+}
+
+const char* name(study::Verdict verdict) {
+  constexpr std::array names{"", "INCONCLUSIVE", "H0", "H1", "NO_VERDICT"};  // in the order of study::Verdict
+  return names[static_cast<std::size_t>(verdict)];
+}
+
+const char* game_word(const study::TournamentPlan& plan) { return plan.openings.empty() ? "match" : "scene"; }
+const char* games_word(const study::TournamentPlan& plan) { return plan.openings.empty() ? "matches" : "scenes"; }
+
+WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
+  std::vector<campaign::Input> openings;
+  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
+  WhatWasPlayed out = what_was_played(plan.asked.settings, plan.common_inputs, openings);
+  for (std::size_t team = 0; team < plan.teams.size(); ++team) {
+    const config::Tournament::Team& asked = plan.asked.teams[team];
+    const study::Entrant& found = plan.teams[team];
+    const auto& disturbances = found.disturbances.empty() ? plan.common_inputs : found.disturbances;
+    out.teams.push_back(
+        played_team(found.label, asked.team, found.inputs,
+                    profile_of(disturbances, "home disturbance",
+                               asked.disturbance.empty() ? plan.asked.disturbance : asked.disturbance)));
+  }
+  for (const config::Node::Entry& each : plan.asked.settings.set.entries()) {
+    const std::optional<std::size_t> team = study::team_meant(plan, each.key);
+    const std::string path = team ? each.key.substr(std::min<std::size_t>(2, each.key.size())) : each.key;
+    (team ? out.teams[*team].set : out.set).push_back(path + '=' + config::flow(each.value));
+  }
+  const bool one = plan.pairings().size() == 1;
+  out.amount = fmt::format(
+      "{}{}{}, seeds from {}", plan.asked.pairs ? "" : "a test decides, at most ", number_of_pairs(plan),
+      one ? std::string() : fmt::format(" of each of {} pairings", plan.pairings().size()), plan.first_seed());
+  complete(out, plan);
+  if (plan.ended_after) {  // a repetition must have as many pairs as were played
+    config::Tournament asked = plan.asked;
+    asked.pairs = static_cast<int>(*plan.ended_after);
+    out.document = config::document_text(asked);
+  }
+  return out;
+}
+
+std::string title(const TournamentView& view) {
+  const std::string who =
+      view.plan.teams.size() == 2
+          ? fmt::format("{} vs {}", view.label(0), view.label(1))
+          : fmt::format("{} teams, {}", view.plan.teams.size(),
+                        view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round robin");
+  const std::size_t pairings = view.course.calendar().pairings().size();
+  const std::uint64_t played = view.course.taken() / 2 / pairings;  // includes pairs of teams that were set aside
+  std::string out = fmt::format("{} ({}", who, texts::plural(played, "pair", "pairs"));
+  if (played < view.plan.pairs() && !view.plan.ends_by_the_clock_alone())
+    out += fmt::format(" of {}", view.plan.pairs());
+  if (pairings > 1) out += " each";
+  out += fmt::format(", seeds from {}", view.plan.first_seed());
+  if (!view.plan.openings.empty())
+    out += ", " + scenes_text(view.plan);
+  else if (const auto& limit = view.plan.asked.settings.limit)
+    out += fmt::format(", {} s a match", config::real_text(*limit));
+  return out + ')';
+}
+
+ForfeitWords forfeit_words(const TournamentView& view) {
+  return {[&view](std::size_t team) { return view.label(team); }, view.again, {}};
+}
+
+Outline tournament_outline(const TournamentView& view, const TournamentPage* page) {
+  Outline out;
+  out.kind = "Tournament";
+  out.title = title(view);
+  out.name = view.plan.asked.name;
+  out.question = view.plan.asked.question;
+  TournamentVerdict verdict = tournament_verdict(view);
+  out.headline = std::move(verdict.sentence);
+  out.beside = std::move(verdict.beside);
+  out.tiles = tiles_of(view);
+  out.lead = lead_of(view);
+  out.played = what_was_played(view.plan);
+  out.remarks = view.course.remarks();
+  out.data = [view] { return tournament_data(view); };
+  out.add(standing_section(view));
+  out.add(curves_section(view));
+  if (page != nullptr) {
+    out.add(goals_section(view, page->record));
+    out.add(roles_section(view, page->record, page->metrics));
+  }
+  out.add(packets_section(view, page != nullptr ? &page->record : nullptr));
+  if (page != nullptr) out.add(plugins_section(view, page->record));
+  out.add(variance_section(view));
+  out.add(unplayed_section(view.course.unplayed_pairs(), view.course.remarks()));
+  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view)));
+  if (page == nullptr) return out;
+  out.fingerprint = page->record.fingerprint();
+  out.add(recordings_section(view, page->recordings, page->link_to));
+  out.add(configuration_section(page->documents, out.played.teams));
+  return out;
+}
+
+Json tournament_data(const TournamentView& view) {
+  const study::Tournament& course = view.course;
+  Json out;
+  Json teams = Json::array();
+  for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
+    teams.push_back({{"name", view.label(team)},
+                     {"file", view.plan.asked.teams[team].team},
+                     {"failures", course.forfeits().of_team()[team]},
+                     {"packets_of_short_games", packets_json(course.packets(team))}});
+  }
+  if (!view.plan.asked.name.empty()) {
+    out["tournament"] = view.plan.asked.name;
+    out["question"] = view.plan.asked.question;
+  }
+  out["teams"] = teams;
+  out["format"] = view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round_robin";
+  out["pairs"] = view.plan.pairs();
+  if (!view.plan.pairs_before.empty()) out["pairs_before"] = view.plan.pairs_before;
+  if (view.plan.ended_after) out["ended_after"] = *view.plan.ended_after;
+  out["first_seed"] = view.plan.first_seed();
+  out["openings"] = view.plan.openings.size();
+  out["matches"] = course.matches();
+  const bool tested = course.verdict() != study::Verdict::none;
+  out["verdict"] = tested ? Json(name(course.verdict())) : Json(nullptr);
+  out["complete"] = course.complete();
+  // A sequential test stops at results that favour its verdict, so the estimates are biased towards the verdict.
+  out["estimates_biased_by_stopping"] =
+      course.verdict() == study::Verdict::accept_h0 || course.verdict() == study::Verdict::accept_h1;
+  const bool fixed = !tested && course.complete();
+  const PValues p = p_values(course);
+  Json pairings = Json::array();
+  for (std::size_t i = 0; i < p.single.size(); ++i) {
+    const Chance chance = fixed ? Chance(p.single[i], p.adjusted[i]) : Chance();
+    pairings.push_back(meeting_json(view, course.meetings()[i], chance));
+    pairings.back()["verdict_prevented"] =
+        tested ? course.verdict() == study::Verdict::prevented : fixed && p.prevented[i];
+  }
+  out["pairings"] = pairings;
+  if (view.plan.teams.size() > 2) {
+    Json ranks = Json::array();
+    for (const Ranked& team : ranking(view.plan, course)) {
+      ranks.push_back({{"team", view.label(team.team)},
+                       {"elo", team.elo ? Json(team.elo->value) : Json(nullptr)},
+                       {"elo_interval", team.elo ? json_of(team.elo->interval) : Json(nullptr)},
+                       {"nash", team.nash},
+                       {"points", team.points},
+                       {"games", team.matches},
+                       {"goals", {team.scored, team.conceded}}});
+    }
+    out["ranking"] = ranks;
+  }
+  out["forfeits"] = forfeits_json(course.forfeits(), forfeit_words(view), "team");
+  Json set_aside = Json::array();
+  for (const study::SetAside& each : course.set_aside()) {
+    set_aside.push_back({{"team", view.label(each.team)},
+                         {"plugin", each.plugin},
+                         {"failures", each.failures},
+                         {"after_pair", each.pair + 1}});
+  }
+  out["set_aside"] = set_aside;
+  out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
+  out["allow_shared_memory"] = view.plan.limits().allow_shared_memory;
+  return out;
 }
 
 }  // namespace regista::report

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Where the teams stand: the table of teams; of two teams the block of numbers that users of the test frames of chess
-// engines know; of more the table of all pairings.
+// The section about the standing of the teams: a table of the teams; for two teams the block of numbers that users of
+// the test frames of chess engines know; for more teams the table of all pairings.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cmath>
 
-#include "report/elo_interval.hpp"
-#include "report/estimate_text.hpp"
-#include "report/few_uneven.hpp"
+#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
-#include "report/tournament_outline.hpp"
+#include "report/tournament_report.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {
@@ -19,29 +17,27 @@ namespace {
 
 using study::Meeting;
 
-constexpr std::size_t most_crossed = 24;        // teams that a table of all against all has room for
-constexpr std::size_t most_open_pairings = 15;  // pairings that a page shows without being asked for
-constexpr std::size_t most_listed = 2000;       // pairings at all
+constexpr std::size_t most_crossed = 24;        // largest number of teams in a table of all teams against all teams
+constexpr std::size_t most_open_pairings = 15;  // largest number of pairings that a page shows without a click
+constexpr std::size_t most_pairings = 2000;     // largest number of pairings that the report lists
 
 std::string or_none(const std::optional<double>& number) { return number ? fixed(*number, 2) : "-"; }
 
 double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
 
-// What holds only for a number of pairs that nobody chose by looking may be said; of a pairing only where all of them
-// could be played.
-bool fixed_number_is_played(const TournamentView& view) {
-  return std::holds_alternative<study::FixedNumber>(view.plan.objective()) && view.course.complete();
-}
-
 Sentence who_of(const TournamentView& view, const Meeting& meeting, const char* between = " – ") {
   return named(view.label(meeting.pairing.first)) << between << named(view.label(meeting.pairing.second));
 }
 
-// Of two teams on a page alone: its lines below say the same.
+// In a gauntlet most teams never meet, so a table of all against all and an equilibrium make no sense.
+bool is_gauntlet(const TournamentView& view) { return view.plan.asked.format == config::Tournament::Format::gauntlet; }
+
 Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
   const bool several = view.plan.teams.size() > 2;
   std::vector<Heading> headings{{"Team", Column::words}};
-  if (several) headings = {{"Rank"}, {"Team", Column::words}, {"Elo"}, {"Nash share"}};
+  const bool with_nash = !is_gauntlet(view);
+  if (several) headings = {{"Rank"}, {"Team", Column::words}, {"Elo"}};
+  if (several && with_nash) headings.push_back({"Nash share"});
   for (const char* each : {"Matches", "Won", "Drawn", "Lost", "Points", "Goals", "Forfeits"})
     headings.push_back({each});
   Table out(headings);
@@ -54,8 +50,8 @@ Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
                !each.elo ? std::string("–")
                : each.elo->interval.bounded()
                    ? fmt::format("{} ± {:.1f}", with_sign(each.elo->value, 1), each.elo->margin())
-                   : with_sign(each.elo->value, 1),
-               fixed(each.nash, 2)};
+                   : with_sign(each.elo->value, 1)};
+      if (with_nash) cells.emplace_back(fixed(each.nash, 2));
     } else {
       cells.push_back(Sentence(Sentence::Kind::mark, each.team == 0 ? "first" : "second")
                       << named(view.label(each.team)));
@@ -67,11 +63,8 @@ Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
   return out;
 }
 
-// --- Of two teams
-// ------------------------------------------------------------------------------------------------------
-
-void add_score_test(const statistics::SequentialTest<statistics::PairCounts>& test,
-                    const std::optional<Strength>& known, Section& lines, Table& table) {
+void add_score_test(const statistics::SequentialTest& test, const std::optional<Strength>& known, Section& lines,
+                    Table& table) {
   const statistics::SequentialBounds bounds = test.bounds();
   const double llr = test.ratio().value;
   const auto& [elo0, elo1] = test.design().hypotheses;
@@ -104,7 +97,7 @@ void add_metric(const TournamentView& view, const Meeting& meeting, Section& lin
              Readers::terminal);
   if (meeting.pairs_without_metric > 0) {
     lines.line(fmt::format("{} without it: a match was forfeited, or has no such number",
-                           texts::counted(meeting.pairs_without_metric, "pair", "pairs")),
+                           texts::plural(meeting.pairs_without_metric, "pair", "pairs")),
                Readers::terminal);
   }
   table.row({"Difference of " + test.value, fmt::format("{:+.4g}", estimate.value),
@@ -114,78 +107,81 @@ void add_metric(const TournamentView& view, const Meeting& meeting, Section& lin
              fmt::format("p at any time {:.2g}; {} without it", metric.test().p(), meeting.pairs_without_metric)});
 }
 
+// Adds goals and the goal difference with its interval. These numbers decide a tournament without a sequential test.
 void add_goals(const TournamentView& view, const Meeting& meeting, const std::optional<Strength>& known, Section& lines,
-               Table& table) {
+               Table& table, Table& others) {
   std::string goals = fmt::format("Goals: {}:{}", meeting.goals[0], meeting.goals[1]);
   if (!known) {
     lines.line(goals, Readers::terminal);
     return;
   }
-  const bool fixed_number = fixed_number_is_played(view);
-  const bool with_t = fixed_number && known->goals_t && meeting.unplayed_pairs == 0;
-  const statistics::Interval interval = meeting.goals_sequence.interval();
-  goals += fmt::format(", per match {} {} at any time", with_sign(meeting.goals_of_pairs.mean(), 3),
-                       interval_text(interval, 3));
-  if (with_t) {
-    goals += fmt::format(", {} for this number of pairs (t test: p {:.2g})", interval_text(known->goals_t->interval, 3),
-                         known->goals_t->p);
-  }
+  const bool fixed_number = is_of_fixed_number(view.plan, view.course);
+  const bool with_t = fixed_number && known->goals_t;
+  const double mean = meeting.goals_of_pairs.mean();
+  goals += fmt::format(", per {} {}", game_word(view.plan), with_sign(mean, 3));
+  if (with_t) goals += fmt::format(" {}, 95 % by Student's t", interval_text(known->goals_t->interval, 3));
   lines.line(goals, Readers::terminal);
-  lines.line(fmt::format("Variance ratio of pairing: {} of scores, {} of goals", or_none(known->score_ratio),
-                         or_none(known->goals_ratio)),
-             Readers::terminal);
+  table.row({fmt::format("Goal difference of a {}", game_word(view.plan)),
+             with_sign(mean, 3) + (with_t ? " " + signed_interval_text(known->goals_t->interval, 3) : std::string()),
+             with_t ? "mean of the pairs, with its 95 % interval by Student's t" : "mean of the pairs"});
   if (fixed_number) {
-    table.row({"Sign-flip test", fmt::format("p {:.2g}", p_values(view.course).single.front()),
+    const double p = p_values(view.course).single.front();
+    lines.line(fmt::format("p {:.2g}: exact sign flips of the pairs' goal differences", p), Readers::terminal);
+    table.row({"Sign-flip test", fmt::format("p {:.2g}", p),
                meeting.unplayed_pairs == 0
-                   ? "probability of a result as clear as this if the teams were equal"
+                   ? "the test that decides: probability of goals as unequal as these if the teams were equal"
                    : "the same; pairs that could not be played are counted for the team that makes p larger"});
   }
-  table.row({"Goal difference of a match",
-             fmt::format("{} {}", with_sign(meeting.goals_of_pairs.mean(), 3), signed_interval_text(interval, 3)),
-             "anytime-valid interval"});
-  if (with_t) {
-    table.row({"The same, for this number of pairs", signed_interval_text(known->goals_t->interval, 3),
-               fmt::format("t test: p {:.2g}", known->goals_t->p)});
-  }
+  others.row({"Goal difference at any time", signed_interval_text(meeting.goals_sequence.interval(), 3),
+              "an interval that holds at every look: for a tournament that still runs"});
 }
 
-void add_strength(const Meeting& meeting, const Strength& known, Section& lines, Table& table) {
+// Adds numbers that readers know from other programs. These numbers decide nothing unless the test uses scores.
+void add_others(const Meeting& meeting, const Strength& known, Section& lines, Table& table) {
   lines.line(fmt::format("Elo: {}, nElo: {}", with_margin(known.elo), with_margin(known.normalized_elo)),
              Readers::terminal);
-  lines.line(fmt::format("LOS: {:.2f} %, DrawRatio: {:.2f} %, PairsRatio: {}", 100.0 * known.superiority,
-                         100.0 * known.draw_ratio, or_none(known.pair_ratio)),
+  const std::string superiority = known.superiority ? fmt::format("{:.2f} %", 100.0 * *known.superiority) : "-";
+  lines.line(fmt::format("LOS: {}, DrawRatio: {:.2f} %, PairsRatio: {}", superiority, 100.0 * known.draw_ratio,
+                         or_none(known.pair_ratio)),
              Readers::terminal);
-  const std::string few = enough_for_interval(meeting.pairs) ? "" : ". Too few pairs for a reliable interval";
-  table.row({"Elo", signed_text(known.elo, 1), "strength: 400 Elo mean odds of ten to one" + few});
+  lines.line(fmt::format("Variance ratio of pairing: {} of scores, {} of goals", or_none(known.score_ratio),
+                         or_none(known.goals_ratio)),
+             Readers::terminal);
   const std::string why = why_no_interval(known.law);
+  table.row({"Elo", signed_text(known.elo, 1),
+             "strength by points won, to compare with ratings: 400 Elo mean odds of ten to one"});
   table.row({"Normalised Elo", signed_text(known.normalized_elo, 1),
-             "strength divided by the spread of a match: how soon a test sees it" + (why.empty() ? why : ". " + why)});
+             "strength divided by the spread of a match, to plan tests: how soon one sees it" +
+                 (why.empty() ? why : ". " + why)});
+  table.row({"LOS", superiority, "likelihood of superiority: how much of the law of the mean score is above one half"});
+  table.row({"Draw ratio", fmt::format("{:.1f} %", 100.0 * known.draw_ratio),
+             "pairs that ended even, which say nothing of who scores more points"});
+  table.row({"Pairs won to lost", or_none(known.pair_ratio), "pairs in which the first team had more points, to less"});
   table.row({"Pairs by points", fmt::format("{}", fmt::join(meeting.pairs.seen, " · ")),
-             "both lost · lost and drawn · even · won and drawn · both won"});
-  table.row({"Pairs won to lost", or_none(known.pair_ratio),
-             fmt::format("{:.1f} % of pairs ended even", 100.0 * known.draw_ratio)});
+             "both lost · lost and drawn · even · won and drawn · both won, for tests on scores"});
 }
 
-// A terminal gets the lines of fastchess, a page the same with what each number says.
+// Adds the pairing of two teams. A terminal shows the lines of fastchess; a page explains the same numbers in tables.
 void add_meeting(const TournamentView& view, Section& out) {
   const Meeting& meeting = view.course.meetings().front();
   const std::optional<Strength> known = strength(view.course, meeting);
-  Table table{{{"Number", Column::words}, {"Value"}, {"What it says", Column::words}}};
-  if (known) add_strength(meeting, *known, out, table);
+  const std::vector<Heading> headings{{"Number", Column::words}, {"Value"}, {"What it says", Column::words}};
+  Table table{headings}, others{headings};
   const auto& [losses, draws, wins] = meeting.games.seen;
   out.line(fmt::format("Games: {}, Wins: {}, Losses: {}, Draws: {}, Points: {:.1f} ({:.2f} %)", meeting.matches(), wins,
                        losses, draws, points(meeting.games),
                        percent(points(meeting.games), static_cast<double>(meeting.matches()))),
            Readers::terminal);
-  out.line(fmt::format("Ptnml(0-2): [{}]", fmt::join(meeting.pairs.seen, ", ")), Readers::terminal);
+  add_goals(view, meeting, known, out, table, others);
   if (meeting.score_test) add_score_test(*meeting.score_test, known, out, table);
-  add_goals(view, meeting, known, out, table);
   if (meeting.metric) add_metric(view, meeting, out, table);
-  if (known) out.table(std::move(table), Readers::page);
+  out.line(fmt::format("Ptnml(0-2): [{}]", fmt::join(meeting.pairs.seen, ", ")), Readers::terminal);
+  if (!known) return;
+  add_others(meeting, *known, out, others);
+  out.table(std::move(table), Readers::page);
+  others.summary = "Other numbers of strength, and what each is for";
+  out.table(std::move(others), Readers::page);
 }
-
-// --- Of more
-// -----------------------------------------------------------------------------------------------------------
 
 void add_ranking(const TournamentView& view, Section& out) {
   const std::vector<Ranked> ranks = ranking(view.plan, view.course);
@@ -194,14 +190,18 @@ void add_ranking(const TournamentView& view, Section& out) {
     out.line(no_margin_of_team(), Readers::terminal);
 }
 
-// Share of the points of the row's team against that of the column.
+// Adds a table of all teams against all teams. A cell has the share of points that the row's team won.
 void add_cross_table(const TournamentView& view, Section& out) {
   const std::vector<Ranked> ranks = ranking(view.plan, view.course);
-  if (ranks.size() > most_crossed || view.plan.asked.format == config::Tournament::Format::gauntlet) return;
+  if (ranks.size() > most_crossed || is_gauntlet(view)) return;
   const statistics::SquareTable won = points_won(view.plan, view.course);
   Table table{{{"Share of points, %", Column::words}}};
-  table.look = Table::Look::heat;
-  for (std::size_t i = 0; i < ranks.size(); ++i) table.headings.push_back({std::to_string(i + 1)});
+  table.style = Table::Style::heat;
+  constexpr std::size_t most_named = 10;  // largest number of columns that have room for the names of teams
+  for (std::size_t i = 0; i < ranks.size(); ++i) {
+    table.headings.push_back(
+        {ranks.size() <= most_named ? named(view.label(ranks[i].team)) : Sentence(std::to_string(i + 1))});
+  }
   for (std::size_t i = 0; i < ranks.size(); ++i) {
     std::vector<Cell> cells{Sentence(std::to_string(i + 1) + ' ') << named(view.label(ranks[i].team))};
     for (const Ranked& other : ranks) {
@@ -209,35 +209,45 @@ void add_cross_table(const TournamentView& view, Section& out) {
       const bool played = all > 0.0 && other.team != ranks[i].team;
       const double share = played ? 100.0 * mine / all : 50.0;
       Cell& cell = cells.emplace_back(played ? fmt::format("{:.0f}", share) : "–");
-      // The first or the second colour, the stronger the farther from one half.
+      // Above 50 % a cell has the colour of series 1, below 50 % of series 2. The colour is stronger far from 50 %.
       cell.series = share > 50.0 ? 1 : share < 50.0 ? 2 : 0;
       cell.ground = std::abs(share - 50.0) * 0.9;
     }
     table.row(std::move(cells));
   }
-  out.items.push_back({Lines{{"All against all"}, Lines::Look::heading}, Readers::page});
+  out.items.push_back({Lines{{"All against all"}, Lines::Style::heading}, Readers::page});
   out.table(std::move(table), Readers::page);
 }
 
+// Formats a goal difference per game: "+0.85 [0.40, 1.30]".
+std::string goals_a_game(const Strength& known, const Meeting& meeting, bool with_interval) {
+  const double mean = meeting.goals_of_pairs.mean();
+  if (!with_interval || !known.goals_t) return with_sign(mean, 2);
+  return signed_with_interval(statistics::Estimate{mean, known.goals_t->interval});
+}
+
 Table pairings_table(const TournamentView& view) {
-  const bool with_p = fixed_number_is_played(view), with_unplayed = view.course.unplayed_pairs() > 0;
-  Table out{{{"Pairing", Column::words}, {"Won – drawn – lost"}, {"Goals"}, {"Elo"}}};
+  const bool with_p = is_of_fixed_number(view.plan, view.course), with_unplayed = view.course.unplayed_pairs() > 0;
+  Table out{{{"Pairing", Column::words},
+             {"Won – drawn – lost"},
+             {"Goals"},
+             {fmt::format("Goals a {}", game_word(view.plan))}}};
   if (with_unplayed) out.headings.push_back({"Pairs not played"});
   if (with_p) out.headings.push_back({"p (Holm)"});
   const PValues p = p_values(view.course);
-  for (std::size_t i = 0; i < std::min(p.adjusted.size(), most_listed); ++i) {
+  for (std::size_t i = 0; i < std::min(p.adjusted.size(), most_pairings); ++i) {
     const Meeting& meeting = view.course.meetings()[i];
     const auto& [losses, draws, wins] = meeting.games.seen;
     const std::optional<Strength> known = strength(view.course, meeting);
     std::vector<Cell> cells{who_of(view, meeting), fmt::format("{} – {} – {}", wins, draws, losses),
                             fmt::format("{}:{}", meeting.goals[0], meeting.goals[1]),
-                            known ? signed_text(known->elo, 1) : "–"};
+                            known ? goals_a_game(*known, meeting, with_p) : "–"};
     if (with_unplayed) cells.emplace_back(meeting.unplayed_pairs);
     if (with_p) cells.emplace_back(fmt::format("{:.2g}{}", p.adjusted[i], p.prevented[i] ? ": no verdict" : ""));
     out.row(std::move(cells));
   }
   out.summary = fmt::format("{} pairings, from the point of view of the team named first{}", p.adjusted.size(),
-                            with_p ? "; p: two-sided sign-flip test, corrected by Holm" : "");
+                            with_p ? "; p: exact sign flips of the pairs' goal differences, corrected by Holm" : "");
   out.open = p.adjusted.size() <= most_open_pairings;
   return out;
 }
@@ -265,12 +275,14 @@ Section standing_section(const TournamentView& view) {
   out.figures({"ranking"});
   add_cross_table(view, out);
   out.table(pairings_table(view));
-  if (view.course.meetings().size() > most_listed) out.note("regista report --json has the others.");
+  if (view.course.meetings().size() > most_pairings) out.note("regista report --json has the others.");
   out.note(
-      "Elo of the ranking: Bradley and Terry, sum 0. Its margins count pairs and draws, and so do the intervals of the "
-      "pairings. A team has no margin if fewer than 10 of its pairs were uneven, or if it won or lost all. These are "
-      "rough where fewer than 10 pairs were not even. Nash share: probability of the team in the Nash equilibrium. p: "
-      "two-sided sign-flip test, corrected by Holm for the number of pairings.",
+      fmt::format(
+          "Elo of the ranking: Bradley and Terry, sum 0. Its margins count pairs and draws. A team has no margin if "
+          "fewer than 10 of its pairs were uneven, or if it won or lost all. {}Goals: mean of the pairs, with the 95 % "
+          "interval of Student's t for that pairing alone. p: exact sign flips of the pairs' goal differences, "
+          "corrected by Holm for the number of pairings.",
+          is_gauntlet(view) ? "" : "Nash share: probability of the team in the Nash equilibrium. "),
       Readers::page);
   return out;
 }
@@ -288,7 +300,7 @@ std::string standing_text(const TournamentView& view) {
 Section curves_section(const TournamentView& view) {
   Section out("curves", "Course of the tournament");
   if (is_without_verdict(view.plan, view.course)) return out;
-  out.figures({"elo", "llr", "value"}, Figures::Look::beside);
+  out.figures({"elo", "llr", "value"}, Figures::Style::beside);
   const std::optional<Strength> known = strength(view.course, view.course.meetings().front());
   if (view.plan.teams.size() == 2 && known && !std::isfinite(known->elo.value))
     out.note("One team took every point of every pair, so its Elo is infinite.", Readers::page);
@@ -300,7 +312,7 @@ Section variance_section(const TournamentView& view) {
   Table table{{{"Pairing", Column::words}, {"of scores"}, {"of goals"}}};
   for (const Meeting& meeting : view.course.meetings()) {
     const std::optional<Strength> known = strength(view.course, meeting);
-    if (!known || table.rows.size() == most_listed) continue;
+    if (!known || table.rows.size() == most_pairings) continue;
     table.row({who_of(view, meeting), or_none(known->score_ratio), or_none(known->goals_ratio)});
   }
   if (table.rows.empty()) return out;

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "report/tournament_verdict.hpp"
+#include "report/tournament_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <numeric>
+#include <vector>
 
-#include "report/elo_interval.hpp"
-#include "report/few_uneven.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
+#include "statistics/paired_tests.hpp"
+#include "study/paired_estimates.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {
@@ -19,41 +20,53 @@ namespace {
 
 using study::Meeting;
 
-constexpr double level = significance_level;
-
 Sentence team(const TournamentView& view, std::size_t index) { return named(view.label(index)); }
 
 Sentence numbers_of(const TournamentView& view, const Meeting& meeting) {
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
   const double share = meeting.matches() == 0 ? 0.5 : points(meeting.games) / static_cast<double>(meeting.matches());
-  Sentence out;
-  return out << "After " << texts::counted(pairs, "pair", "pairs") << " of matches "
-             << team(view, meeting.pairing.first)
-             << fmt::format(" has {:.1f} of {} points ({:.0f} %), goals {}:{}.", points(meeting.games),
-                            meeting.matches(), 100.0 * share, meeting.goals[0], meeting.goals[1]);
+  return Sentence("After ") << texts::plural(pairs, "pair", "pairs") << fmt::format(" of {} ", games_word(view.plan))
+                            << team(view, meeting.pairing.first)
+                            << fmt::format(" has {:.1f} of {} points ({:.0f} %), goals {}:{}.", points(meeting.games),
+                                           meeting.matches(), 100.0 * share, meeting.goals[0], meeting.goals[1]);
 }
 
-// What may still be true, by the interval of 95 %, or why that cannot be said; nothing where the verdict says all.
-std::optional<Sentence> may_be(const TournamentView& view, const Meeting& meeting) {
-  switch (interval_use(view, 0)) {
-    case IntervalUse::shown:
-      break;
-    case IntervalUse::too_few_pairs: {
-      const auto count = static_cast<std::uint64_t>(uneven(meeting.pairs));
-      if (count == 0) return "All pairs were even, so there is no interval.";
-      return fmt::format("Only {} not even: too few pairs for an interval.",
-                         texts::counted(count, "pair was", "pairs were"));
-    }
-    default:
-      return std::nullopt;
-  }
-  const auto in_words = [](double elo) {
-    return fmt::format("{:.0f} Elo {}", std::abs(elo), elo < 0.0 ? "weaker" : "stronger");
-  };
-  const statistics::Interval interval = strength(view.course, meeting)->elo.interval;
-  Sentence out = "With 95 % confidence ";
-  return out << team(view, meeting.pairing.first)
-             << fmt::format(" is between {} and {}.", in_words(interval.low), in_words(interval.high));
+constexpr double worth_finding = 0.5;  // goals per game; smallest difference that matters to readers
+
+// Formats a goal difference: "3.69 goals a match".
+std::string goals_words(const TournamentView& view, double goals, double margin) {
+  return fmt::format("{} goals a {}", rounded(std::abs(goals), margin), game_word(view.plan));
+}
+
+// Returns " (95 % interval 2.90 to 4.48)" for the leading team; empty without an interval.
+std::string interval_clause(const Strength& known) {
+  if (!known.goals_t) return {};
+  const statistics::Interval seen = known.goals_t->interval;
+  const auto [low, high] = known.goals_t->mean < 0.0 ? statistics::Interval{-seen.high, -seen.low} : seen;
+  const double margin = (high - low) / 2.0;
+  return fmt::format(" (95 % interval {} to {})", rounded(low, margin), rounded(high, margin));
+}
+
+Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
+  const Strength known = *strength(view.course, meeting);
+  const double goals = meeting.goals_of_pairs.mean(),
+               margin = known.goals_t ? half_width(known.goals_t->interval) : 0.0;
+  return team(view, side > 0 ? meeting.pairing.first : meeting.pairing.second)
+         << " beats " << team(view, side > 0 ? meeting.pairing.second : meeting.pairing.first)
+         << " by " + goals_words(view, goals, margin) + interval_clause(known) + ".";
+}
+
+// Returns a sentence: the played pairs can find a difference of `worth_finding`, or how many more pairs are needed.
+std::string what_more_would_find(const TournamentView& view, const Meeting& meeting) {
+  if (const std::string few = too_few_pairs(view.plan); !few.empty()) return few + ".";
+  const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
+  const double deviation = meeting.goals_of_pairs.standard_deviation();
+  if (!(deviation > 0.0)) return "All pairs ended with the same goal difference.";
+  const auto needed = statistics::pairs_needed(worth_finding, deviation, study::design_of(view.plan));
+  const std::string found = fmt::format("a difference of {} goals a {}", worth_finding, game_word(view.plan));
+  if (needed && static_cast<std::uint64_t>(*needed) > pairs)
+    return fmt::format("About {} more pairs would find {}.", static_cast<std::uint64_t>(*needed) - pairs, found);
+  return fmt::format("{} find {} in four of five cases.", texts::plural(pairs, "pair", "pairs"), found);
 }
 
 Sentence than(const TournamentView& view, const Meeting& meeting, bool first_is_more, const char* what) {
@@ -66,20 +79,19 @@ Sentence by_scores(const TournamentView& view, const Meeting& meeting, const stu
   const std::string unit = test.design.model == statistics::Model::logistic ? "Elo" : "nElo";
   if (h1 && elo1 > 0.0) return than(view, meeting, true, " is stronger than ");
   if (!h1 && elo0 < 0.0) return than(view, meeting, false, " is stronger than ");
-  Sentence out = team(view, meeting.pairing.first);
-  return out << fmt::format(" is not {:.4g} {} {} than ", std::abs(h1 ? elo0 : elo1), unit, h1 ? "weaker" : "stronger")
-             << team(view, meeting.pairing.second) << ".";
+  return team(view, meeting.pairing.first)
+         << fmt::format(" is not {:.4g} {} {} than ", std::abs(h1 ? elo0 : elo1), unit, h1 ? "weaker" : "stronger")
+         << team(view, meeting.pairing.second) << ".";
 }
 
 Sentence by_value(const TournamentView& view, const Meeting& meeting, const std::string& value) {
   const bool more = view.course.first_has_more();
   if (value == study::goals_value) return than(view, meeting, more, " scores more goals than ");
-  Sentence out = team(view, meeting.pairing.first);
-  return out << fmt::format(" mostly has {} {} than ", more ? "more" : "less", value)
-             << team(view, meeting.pairing.second) << ".";
+  return team(view, meeting.pairing.first) << fmt::format(" mostly has {} {} than ", more ? "more" : "less", value)
+                                           << team(view, meeting.pairing.second) << ".";
 }
 
-// Numbers beside it would be read as one.
+// Makes the text of a tournament without a verdict. The text has no numbers, which would look like a verdict.
 void no_verdict(const TournamentView& view, TournamentVerdict& out) {
   out.sentence = prevented_headline(view.course.unplayed_pairs()) + ".";
   out.beside.clear();
@@ -99,13 +111,11 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Tour
     out.sentence =
         view.course.complete() ? Sentence("The test ended without a verdict on ") : Sentence("No verdict yet on ");
     out.sentence << team(view, 0) << " and " << team(view, 1) << "." << few;
-    if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
     return;
   }
   const bool h1 = verdict == study::Verdict::accept_h1;
   if (score != nullptr) {
-    out.sentence = by_scores(view, meeting, *score, h1);
-    out.sentence << few;
+    out.sentence = by_scores(view, meeting, *score, h1) << few;
     const auto& [elo0, elo1] = score->design.hypotheses;
     out.beside.push_back(fmt::format(
         "The test accepted {}: the scores speak for a strength of {} rather than {} {}; error rates {:.4g} and {:.4g}.",
@@ -141,8 +151,7 @@ void of_two(const TournamentView& view, TournamentVerdict& out) {
     return;
   }
   if (!view.course.complete()) {
-    out.sentence = "Not at its end yet: no verdict on ";
-    out.sentence << team(view, 0) << " and " << team(view, 1) << ".";
+    out.sentence = Sentence("Not at its end yet: no verdict on ") << team(view, 0) << " and " << team(view, 1) << ".";
     return;
   }
   const PValues values = p_values(view.course);
@@ -150,40 +159,41 @@ void of_two(const TournamentView& view, TournamentVerdict& out) {
     no_verdict(view, out);
     return;
   }
-  const double p = values.adjusted.front();
-  const bool first = points(meeting.games) > static_cast<double>(meeting.matches()) / 2.0;
-  if (p < level) {
-    out.sentence = than(view, meeting, first, " is stronger than ");
-    out.beside.push_back(
-        fmt::format("If the teams were equal, a result as clear as this would have a probability of {:.2g}.", p));
+  const int side = decided_for(view.course, values, 0);
+  if (side != 0) {
+    out.sentence = beats(view, meeting, side);
   } else {
-    out.sentence = texts::counted(static_cast<std::uint64_t>(total(meeting.pairs)), "pair does", "pairs do");
-    out.sentence << " not show which of " << team(view, 0) << " and " << team(view, 1) << " is stronger.";
-    out.beside.push_back(
-        fmt::format("If the teams were equal, a difference as large as this would have a probability of {:.2g}.", p));
+    out.sentence = Sentence("Not decided between ")
+                   << team(view, 0) << " and " << team(view, 1) << ". " << what_more_would_find(view, meeting);
+    const Strength known = *strength(view.course, meeting);
+    // With few pairs, Student's interval may exclude 0 although the sign-flip test, which decides, finds nothing.
+    if (known.goals_t && known.goals_t->interval.contains(0.0)) {
+      const double margin = half_width(known.goals_t->interval);
+      out.beside.push_back(Sentence("With 95 % confidence ")
+                           << team(view, 0)
+                           << fmt::format(" scores between {} and {} goals a {} more than ",
+                                          rounded(known.goals_t->interval.low, margin),
+                                          rounded(known.goals_t->interval.high, margin), game_word(view.plan))
+                           << team(view, 1) << ".");
+    }
   }
-  if (const auto open = may_be(view, meeting)) out.beside.push_back(*open);
-}
-
-// 1: the first team of the pairing is stronger, -1: the second, 0: that is open.
-int stronger(const TournamentView& view, const PValues& p, std::size_t pairing) {
-  const Meeting& meeting = view.course.meetings()[pairing];
-  if (!view.course.complete() || p.adjusted[pairing] >= level) return 0;
-  return points(meeting.games) > static_cast<double>(meeting.matches()) / 2.0 ? 1 : -1;
+  out.beside.push_back(
+      fmt::format("If the teams were equal, goals as unequal as these would have a probability of {:.2g} (exact sign "
+                  "flips of the pairs' goal differences).",
+                  values.adjusted.front()));
 }
 
 void of_gauntlet(const TournamentView& view, const PValues& p, TournamentVerdict& out) {
   std::array<std::uint64_t, 3> counts{};
   const auto without_verdict = std::ranges::count(p.prevented, true);
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
-    ++counts[static_cast<std::size_t>(stronger(view, p, i) + 1)];
+    ++counts[static_cast<std::size_t>(decided_for(view.course, p, i) + 1)];
   }
-  out.sentence = team(view, 0);
-  out.sentence << fmt::format(" against {} others: stronger than {}, weaker than {}, open for {}.", p.adjusted.size(),
-                              counts[2], counts[0], counts[1]);
+  out.sentence = team(view, 0) << fmt::format(" against {} others: beats {}, loses to {}, not decided against {}.",
+                                              p.adjusted.size(), counts[2], counts[0], counts[1]);
   if (view.course.complete() && without_verdict > 0) {
     out.beside.push_back(
-        fmt::format("{} of the open ones depend on pairs that could not be played, so there is no verdict on them.",
+        fmt::format("{} of those not decided depend on pairs that could not be played, so there is no verdict on them.",
                     without_verdict));
   }
 }
@@ -205,21 +215,31 @@ void of_round_robin(const TournamentView& view, const PValues& p, TournamentVerd
     out.beside.push_back("Which team leads depends on which team these pairs are counted for.");
     return;
   }
+  std::vector<int> decided;  // result of decided_for() for each pairing
+  for (std::size_t i = 0; i < p.adjusted.size(); ++i) decided.push_back(decided_for(view.course, p, i));
+  if (view.course.complete() && std::ranges::count(decided, 0) == std::ssize(decided)) {
+    out.sentence = fmt::format("No difference was found between {} teams", ranks.size());
+    if (const std::string few = too_few_pairs(view.plan); !few.empty()) {
+      out.sentence << ". " + few + ".";
+    } else if (together == 1) {
+      out.sentence << "; " << team(view, best) << " has the highest rating.";
+    } else {
+      out.sentence << ".";
+    }
+    return;
+  }
   out.sentence = team(view, best);
   if (together > 1) {
     out.sentence << fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size());
     return;
   }
   out.sentence << fmt::format(" leads {} teams.", ranks.size());
-  for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
-    const study::Pairing& pairing = view.course.meetings()[i].pairing;
-    if (std::min(pairing.first, pairing.second) != std::min(best, next)) continue;
-    if (std::max(pairing.first, pairing.second) != std::max(best, next)) continue;
-    const int found = stronger(view, p, i) * (pairing.first == best ? 1 : -1);
-    if (found > 0) {
-      out.sentence << " It is stronger than " << team(view, next) << ", the second team.";
-    } else if (found < 0) {
-      out.sentence << " " << team(view, next) << ", the second team, is stronger in their matches.";
+  if (!view.course.complete()) return;
+  for (std::size_t i = 0; i < decided.size(); ++i) {
+    const Meeting& meeting = view.course.meetings()[i];
+    if (std::minmax(meeting.pairing.first, meeting.pairing.second) != std::minmax(best, next)) continue;
+    if (decided[i] != 0) {
+      out.sentence << " " << beats(view, meeting, decided[i]);
     } else {
       out.sentence << " No difference from " << team(view, next) << ", the second team, was found.";
     }
@@ -239,10 +259,10 @@ void of_several(const TournamentView& view, TournamentVerdict& out) {
   if (!view.course.complete()) {
     out.beside.push_back("The tournament is not at its end: none of this is a finding yet.");
   } else {
-    out.beside.push_back(
-        fmt::format("A team is called stronger where a sign-flip test of its pairing finds a difference at {:.0f} "
-                    "%, corrected by Holm for the number of pairings.",
-                    100.0 * level));
+    out.beside.push_back(fmt::format(
+        "A team beats another one where exact sign flips of the pairs' goal differences find it at {:.0f} %, "
+        "corrected by Holm for the number of pairings.",
+        100.0 * significance_level));
   }
 }
 
@@ -256,32 +276,25 @@ TournamentVerdict tournament_verdict(const TournamentView& view) {
     of_several(view, out);
   out.sentence = Sentence(caution(view.course.remarks(), view.plan.limits())) << out.sentence;
   for (const study::SetAside& each : view.course.set_aside()) {
-    Sentence line = team(view, each.team);
     const std::string whose = each.plugin.empty() ? "a plugin of it" : "its plugin " + each.plugin;
-    out.beside.push_back(line << fmt::format(" was set aside after pair {}: {} failed {} times in a row.",
-                                             each.pair + 1, whose, each.failures));
+    out.beside.push_back(team(view, each.team)
+                         << fmt::format(" was set aside after pair {}: {} failed {} times in a row.", each.pair + 1,
+                                        whose, each.failures));
   }
   if (!view.plan.pairs_before.empty()) {
     out.sentence << " Pairs were added after a look.";
     out.beside.push_back(more_pairs_sentence(view.plan.pairs_before));
   }
+  if (view.plan.ended_after) out.beside.push_back(stopped_sentence(view.plan));
   if (view.course.unplayed_pairs() > 0) out.beside.push_back(unplayed_sentence(view.course.unplayed_pairs()));
-  std::uint64_t forfeits = 0;
-  for (const std::uint64_t count : view.course.forfeits().of_team()) forfeits += count;
+  const auto& of_team = view.course.forfeits().of_team();
+  const std::uint64_t forfeits = std::accumulate(of_team.begin(), of_team.end(), std::uint64_t{0});
   if (forfeits > 0) {
-    Sentence line = texts::counted(forfeits, "match", "matches");
-    out.beside.push_back(line << fmt::format(" of {} {} forfeited because a plugin failed, and {} 0:10.",
-                                             view.course.matches(), forfeits == 1 ? "was" : "were",
-                                             forfeits == 1 ? "counts" : "count"));
+    out.beside.push_back(Sentence(texts::plural(forfeits, "match", "matches")) << fmt::format(
+                             " of {} {} forfeited because a plugin failed, and {} 0:10.", view.course.matches(),
+                             forfeits == 1 ? "was" : "were", forfeits == 1 ? "counts" : "count"));
   }
   return out;
-}
-
-std::string more_pairs_sentence(const std::string& before) {
-  return fmt::format(
-      "It had {} pairs before it was given more. A p value and an interval hold for a number that was fixed "
-      "beforehand: adding pairs until the result pleases finds differences that do not exist.",
-      before);
 }
 
 }  // namespace regista::report

@@ -1,25 +1,24 @@
 // SPDX-License-Identifier: MIT
-#include "report/tuning_figures.hpp"
+#include "report/tuning_report.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
-#include "report/estimate_text.hpp"
-#include "report/thinned.hpp"
-#include "report/tuning_sentences.hpp"
-#include "texts/visible.hpp"
+#include "report/figure.hpp"
+#include "report/match_remarks.hpp"
+#include "report/metric_reference.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
-constexpr std::size_t most_points = 1000;  // of the search that are drawn
-constexpr std::size_t most_slices = 40;
+constexpr std::size_t most_drawn_steps = 1000;  // largest number of steps of the search in a figure
+constexpr std::size_t most_slices = 40, most_histories = 40;
 
-// Cut to what an axis has room for; the end of a path says most.
+// Returns a path cut to the room beside an axis. Keeps the end of the path, because the end is the most specific part.
 std::string short_path(const std::string& path) {
   constexpr std::size_t most = 31;
   if (path.size() <= most) return path;
@@ -27,13 +26,35 @@ std::string short_path(const std::string& path) {
   return dot == std::string::npos ? path.substr(path.size() - most) : path.substr(dot + 1);
 }
 
-// "goal_difference, per match"
+// Returns the title of an axis: "goal difference, per match".
 std::string value_title(const study::TuningObjective& objective) {
-  const std::string unit = unit_of(objective);
-  return unit.empty() ? "objective" : in_title(in_words(objective)) + ", " + unit;
+  if (unit_of(objective).empty()) return "objective";
+  return measure_axis(objective.terms.front().measure, longest_name);
 }
 
-// --- Convergence -----------------------------------------------------------------------------------------------------
+// The steps of a search that figures draw. The first and the last step are always among these steps.
+struct DrawnSteps {
+  std::vector<const study::SearchStep*> steps;
+  std::string which;  // text about the choice of steps: " (every 2th)"; empty: all steps
+
+  explicit DrawnSteps(const std::vector<study::SearchStep>& trace) {
+    Thinned<const study::SearchStep*> kept(most_drawn_steps);
+    for (const study::SearchStep& each : trace) kept.offer([&] { return &each; });
+    steps = kept.with_last([&] { return &trace.back(); });
+    if (steps.front() != &trace.front()) steps.insert(steps.begin(), &trace.front());
+    if (kept.stride() > 1) which = fmt::format(" (every {}th)", kept.stride());
+  }
+};
+
+Axis parameter_axis(const study::Parameter& parameter) {
+  const bool logarithmic = parameter.log_scale && parameter.least > 0.0;
+  const double room = 0.03 * (parameter.most - parameter.least);
+  return {.title = in_title(short_path(parameter.path)) +
+                   (has_unit(parameter) ? ", " + in_title(parameter.unit) : std::string()),
+          .range = logarithmic ? Range{parameter.least / 1.08, parameter.most * 1.08}
+                               : Range{parameter.least - room, parameter.most + room},
+          .logarithmic = logarithmic};
+}
 
 struct Level {
   study::MeanEstimate value;
@@ -57,23 +78,19 @@ std::optional<Figure> convergence(const TuningView& view) {
   if (trace.empty()) return std::nullopt;
   const study::TuningObjective& objective = view.plan.objective;
   const std::vector<Level> levels = verified_levels(view);
-  Thinned<const study::SearchStep*> kept(most_points);
+  const auto [steps, which] = DrawnSteps(trace);
   Range range;
   for (const study::SearchStep& each : trace) {
-    kept.offer([&] { return &each; });
     if (!each.played.failed) range.take(of_objective(objective, each.played.counted));
   }
   for (const Level& each : levels) take(range, each.value);
-  std::vector<const study::SearchStep*> steps = kept.with_last([&] { return &trace.back(); });
-  if (steps.front() != &trace.front()) steps.insert(steps.begin(), &trace.front());
-
   range = range.with_room();
 
-  Figure out{.name = "convergence", .title = "The search and its verification"};
+  Figure out{.name = "convergence", .title = levels.empty() ? "The search" : "The search and its verification"};
   out.description = fmt::format(
       "Points: value of each evaluation{}, noisy because it has few matches. Line: the best so far, which is "
       "optimistic because it is the best of many noisy values.{}{}",
-      kept.stride() > 1 ? fmt::format(" (every {}th)", kept.stride()) : std::string(),
+      which,
       std::ranges::any_of(trace, [](const auto& each) { return each.played.failed; })
           ? " Crosses at the bottom: forfeited by the tuned team."
           : "",
@@ -112,7 +129,79 @@ std::optional<Figure> convergence(const TuningView& view) {
   return out;
 }
 
-// --- Importance and slices -------------------------------------------------------------------------------------------
+// Returns a figure with the values of one parameter in the search, and its value in the best evaluation so far.
+Figure history(const TuningView& view, std::size_t index) {
+  const study::Parameter& parameter = view.plan.parameters[index];
+  const std::vector<study::SearchStep>& trace = view.record.trace;
+  const auto [steps, which] = DrawnSteps(trace);
+  Series tried{.name = "tried", .colour = grey, .shape = Shape::circle, .size = steps.size() > 200 ? 1.5 : 2.5},
+      best{.name = "best so far", .join = Join::steps}, marks{.shape = Shape::diamond, .size = 4.0},
+      base{.name = "base team",
+           .colour = 1,
+           .points = {{0.0, parameter.start}, {static_cast<double>(trace.back().evaluation), parameter.start}},
+           .join = Join::dashes};
+  Figure out{.name = fmt::format("history_{}", index + 1), .title = texts::visible(parameter.path)};
+  out.description = fmt::format(
+      "Values that the search tried, by evaluation{}. Line: that of the best evaluation so far; diamonds: where it "
+      "changed. Dashed: the base team's value.",
+      which);
+  out.csv = "evaluation,value,best\n";
+  for (const study::SearchStep* const each : steps)
+    tried.points.push_back({static_cast<double>(each->evaluation), each->values[index]});
+  std::vector<double> best_values;  // for each evaluation, the parameter's value in the best evaluation so far
+  const study::SearchStep* leader = nullptr;
+  for (const study::SearchStep& each : trace) {
+    if (leader == nullptr || each.played.counted > leader->played.counted) {
+      leader = &each;
+      marks.points.push_back({static_cast<double>(each.evaluation), each.values[index]});
+      best.points.push_back(marks.points.back());
+    }
+    best_values.push_back(leader->values[index]);
+  }
+  best.points.push_back({static_cast<double>(trace.back().evaluation), best_values.back()});
+  for (const study::SearchStep* const each : steps) {
+    const auto at = static_cast<std::size_t>(each - trace.data());
+    out.csv += fmt::format("{},{},{}\n", each->evaluation, each->values[index], best_values[at]);
+  }
+  const double end = std::max(2.0, static_cast<double>(trace.back().evaluation));
+  out.chart = {
+      .y = parameter_axis(parameter),
+      .panels = {{{.title = "evaluation", .range = Range{0.0, end}, .whole = true}, {base, tried, best, marks}}},
+      .height = 150.0};
+  return out;
+}
+
+std::optional<Figure> verified_differences(const TuningView& view) {
+  Figure out{.name = "verification", .title = "The verification"};
+  Series better{.colour = 2, .shape = Shape::triangle, .interval = Interval::whiskers},
+      others{.shape = Shape::circle, .interval = Interval::whiskers};
+  Range range{0.0, 0.0};
+  out.csv = "finalist,difference,low,high,pairs,better\n";
+  bool any_better = false;
+  for (const CandidateVerdict& each : candidate_verdicts(view)) {
+    if (each.pairs == 0) continue;
+    const auto& [low, high] = each.difference.interval;
+    const bool is_better = each.finding == study::VerifiedAs::better;
+    any_better = any_better || is_better;
+    out.csv += fmt::format("{},{},{},{},{},{}\n", each.finalist + 1, figure_field(each.difference.value),
+                           figure_field(low), figure_field(high), each.pairs, is_better ? 1 : 0);
+    (is_better ? better : others)
+        .points.push_back({each.difference.value, static_cast<double>(out.chart.rows.size()), low, high});
+    out.chart.rows.push_back(fmt::format("finalist {}", each.finalist + 1));
+    for (const double value : {each.difference.value, low, high}) range.take(value);
+  }
+  if (out.chart.rows.empty()) return std::nullopt;
+  out.description = fmt::format(
+      "Each candidate less the base team on {} that neither search nor selection played, with intervals of {:.4g} % "
+      "that hold at any time. {} of 0 is better than the base team.{}",
+      pairs_in_words(view.record.verification.pairs()), 100.0 * view.plan.confidence(),
+      view.plan.objective.minimise ? "Left" : "Right", any_better ? " Triangle: found better." : "");
+  out.chart.height = 34.0 * static_cast<double>(std::max<std::size_t>(out.chart.rows.size(), 2));
+  out.chart.panels = {
+      {{.title = "difference to the base team: " + value_title(view.plan.objective), .range = range.with_room()},
+       {others, better}}};
+  return out;
+}
 
 std::optional<Figure> importance(const TuningView& view) {
   std::vector<const study::Slice*> slices;
@@ -124,8 +213,7 @@ std::optional<Figure> importance(const TuningView& view) {
              .title = "Importance of the parameters",
              .description =
                  "Standard deviation of the objective over the range of each parameter, around the point that was "
-                 "found, less the "
-                 "part that chance explains. Grey: no more than chance."};
+                 "found, less the part that chance explains."};
   out.csv = "parameter,importance,p,more_than_chance\n";
   Series more{.bar = 0.64}, chance{.colour = grey, .bar = 0.64};
   for (std::size_t i = 0; i < slices.size(); ++i) {
@@ -136,19 +224,12 @@ std::optional<Figure> importance(const TuningView& view) {
     (is_more ? more : chance).points.push_back({slices[i]->importance, static_cast<double>(i)});
     out.chart.rows.push_back(short_path(path));
   }
+  if (std::ranges::all_of(slices, [](const study::Slice* each) { return each->importance == 0.0; }))
+    return std::nullopt;  // all bars would have length 0
+  if (!chance.points.empty()) out.description += " Grey: no more than chance.";
   out.chart.height = 26.0 * static_cast<double>(slices.size());
   out.chart.panels = {{{.title = value_title(view.plan.objective)}, {more, chance}}};
   return out;
-}
-
-Axis parameter_axis(const study::Parameter& parameter) {
-  const bool logarithmic = parameter.log_scale && parameter.least > 0.0;
-  const double room = 0.03 * (parameter.most - parameter.least);
-  return {.title = in_title(short_path(parameter.path)) +
-                   (has_unit(parameter) ? ", " + in_title(parameter.unit) : std::string()),
-          .range = logarithmic ? Range{parameter.least / 1.08, parameter.most * 1.08}
-                               : Range{parameter.least - room, parameter.most + room},
-          .logarithmic = logarithmic};
 }
 
 std::optional<Figure> slice(const TuningView& view, const study::Slice& of, std::size_t number) {
@@ -193,7 +274,11 @@ std::vector<Figure> tuning_figures(const TuningView& view) {
   const auto add = [&out](std::optional<Figure> figure) {
     if (figure) out.push_back(std::move(*figure));
   };
+  add(verified_differences(view));
   add(convergence(view));
+  for (std::size_t i = 0; i < view.plan.parameters.size() && out.size() < most_histories; ++i) {
+    if (!view.plan.parameters[i].fixed() && !view.record.trace.empty()) out.push_back(history(view, i));
+  }
   add(importance(view));
   for (std::size_t i = 0; i < std::min(view.record.slices.size(), most_slices); ++i) {
     add(slice(view, view.record.slices[i], i + 1));
@@ -202,7 +287,8 @@ std::vector<Figure> tuning_figures(const TuningView& view) {
 }
 
 bool is_tuning_figure(std::string_view name) {
-  return name == "convergence" || name == "importance" || is_numbered(name, "slice_");
+  return name == "convergence" || name == "importance" || name == "verification" || is_numbered(name, "history_") ||
+         is_numbered(name, "slice_");
 }
 
 }  // namespace regista::report

@@ -1,27 +1,51 @@
 // SPDX-License-Identifier: MIT
-#include "report/tuning_sentences.hpp"
+#include "report/tuning_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
 #include "config/values.hpp"
-#include "report/estimate_text.hpp"
 #include "report/number.hpp"
-#include "report/packets_spent.hpp"
 #include "report/standing.hpp"
+#include "statistics/moments.hpp"
+#include "study/measure.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
 
-using study::TuningStage;
-using texts::counted;
+statistics::Interval turned(const study::TuningObjective& objective, const statistics::Interval& scores) {
+  const double a = report::of_objective(objective, scores.low), b = report::of_objective(objective, scores.high);
+  return {std::min(a, b), std::max(a, b)};
+}
 
-// " (per match)"
+study::MeanEstimate mean_of(const statistics::Moments& moments, double confidence) {
+  study::MeanEstimate out;
+  out.pairs = moments.count();
+  out.mean = moments.mean();
+  out.standard_deviation = moments.standard_deviation();
+  if (out.pairs < 2 || out.standard_deviation == 0.0) return out;
+  const double margin = statistics::student_t_quantile(0.5 + confidence / 2.0, static_cast<double>(out.pairs - 1)) *
+                        out.standard_deviation / std::sqrt(static_cast<double>(out.pairs));
+  out.interval = {out.mean - margin, out.mean + margin};
+  return out;
+}
+
+RangeEnd end_of(const study::Parameter& parameter, double value) {
+  constexpr double near = 0.01;
+  const double share = study::share_of(parameter, value);
+  return share <= near ? RangeEnd::lower : share >= 1.0 - near ? RangeEnd::upper : RangeEnd::none;
+}
+
+using study::TuningStage;
+using texts::plural;
+
+// Returns the unit in brackets: " (per match)".
 std::string unit_text(const study::TuningObjective& objective) {
   const std::string unit = unit_of(objective);
   return unit.empty() ? unit : fmt::format(" ({})", unit);
@@ -48,16 +72,16 @@ std::string base_sentence(const study::TuningPlan& plan) {
 std::string unit_sentence(const study::TuningPlan& plan) {
   return fmt::format(
       "A pair is {}: with the tuned team at home and away{}, all with the same seed{}.",
-      counted(plan.matches_of_pair(), "match", "matches"),
+      plural(plan.matches_of_pair(), "match", "matches"),
       plan.opponents.size() == 1 ? std::string() : fmt::format(", against each of {} opponents", plan.opponents.size()),
       plan.openings.empty() ? std::string(", from kick-off")
-                            : fmt::format(" and opening, of {}", counted(plan.openings.size(), "opening", "openings")));
+                            : " and scene, of " + scenes_in_words(plan.openings, plan.asked.settings.limit));
 }
 
 std::string search_plan_sentence(const study::TuningPlan& plan) {
   std::string out =
       fmt::format("Search: {} ({}), at most {} of {}", name(plan.algorithm()), summary(plan.algorithm()),
-                  counted(plan.evaluations(), "evaluation", "evaluations"), pairs_in_words(plan.pairs_of_evaluation()));
+                  plural(plan.evaluations(), "evaluation", "evaluations"), pairs_in_words(plan.pairs_of_evaluation()));
   if (plan.asked.search.minutes) out += fmt::format(", and at most {:.6g} min", *plan.asked.search.minutes);
   if (plan.population() > 0) out += fmt::format(", population {}", plan.population());
   return out + fmt::format(", seed {}.", plan.seed());
@@ -66,7 +90,7 @@ std::string search_plan_sentence(const study::TuningPlan& plan) {
 std::string verification_plan_sentence(const study::TuningPlan& plan) {
   std::string out =
       fmt::format("Selection: at most {} on {} that the search did not play. ",
-                  counted(plan.finalists(), "finalist", "finalists"), pairs_in_words(plan.selection_pairs));
+                  plural(plan.finalists(), "finalist", "finalists"), pairs_in_words(plan.selection_pairs));
   if (plan.verification_pairs == 0 || plan.candidates() == 0) return out + "Nothing is verified.";
   out += fmt::format(
       "Verification: {} against the base team, {}, on at most {} with held-out seeds; a paired sequential test at "
@@ -100,17 +124,12 @@ std::string numbers_text(const TuningView& view, const CandidateVerdict& each, s
 
 std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
   const bool over = view.record.stage != TuningStage::verification;
-  switch (each.finding) {
-    case study::VerifiedAs::better:
-      return "better than the base team on held-out seeds";
-    case study::VerifiedAs::worse:
-      return "worse than the base team on held-out seeds";
-    case study::VerifiedAs::prevented:
-      return over ? fmt::format("no verdict, because {} could not be played",
-                                pairs_in_words(view.record.verification.of()[each.candidate].unplayed_pairs()))
-                  : std::string("not decided yet");
-    case study::VerifiedAs::undecided:
-      break;
+  if (each.finding == study::VerifiedAs::better || each.finding == study::VerifiedAs::worse)
+    return fmt::format("{} than the base team on held-out seeds", name(each.finding));
+  if (each.finding == study::VerifiedAs::prevented) {
+    return over ? fmt::format("no verdict, because {} could not be played",
+                              pairs_in_words(view.record.verification.of()[each.candidate].unplayed_pairs()))
+                : std::string("not decided yet");
   }
   if (each.forfeited && each.adjusted <= 1.0 - view.plan.confidence()) {
     return "not found better, because it forfeited a match of the verification";
@@ -181,9 +200,104 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
 
 }  // namespace
 
+double of_objective(const study::TuningObjective& objective, double score) {
+  return study::value_of(objective, score) + 0.0;  // avoids -0
+}
+
+statistics::Estimate of_objective(const study::TuningObjective& objective, const statistics::Estimate& score) {
+  return {of_objective(objective, score.value), turned(objective, score.interval)};
+}
+
+study::MeanEstimate of_objective(const study::TuningObjective& objective, study::MeanEstimate score) {
+  score.mean = of_objective(objective, score.mean);
+  if (score.interval) score.interval = turned(objective, *score.interval);
+  return score;
+}
+
+std::string unit_of(const study::TuningObjective& objective) {
+  const bool one = objective.terms.size() == 1 && objective.terms.front().weight == 1.0;
+  return one ? study::unit_of(objective.terms.front().measure) : std::string();
+}
+
+MatchesByStage matches_by_stage(const TuningView& view) {
+  const study::TuningPlan& plan = view.plan;
+  const study::TuningRecord& record = view.record;
+  const std::uint64_t pair = plan.matches_of_pair();
+  MatchesByStage out;
+  if (!record.trace.empty()) out.search = record.trace.back().matches;
+  out.selection = record.finalists.size() * plan.selection_pairs * pair;
+  const std::uint64_t candidates = record.verification.of().size();
+  out.verification = record.verification.pairs() * (plan.head_to_head() ? 2 * candidates : (candidates + 1) * pair);
+  if (record.slices.empty()) return out;
+  std::uint64_t points = 1;  // the tuned point, which all slices share, counts once
+  for (const study::Slice& each : record.slices) points += each.points.size() - 1;
+  out.slices = points * plan.slice_pairs() * pair;
+  return out;
+}
+
+const study::SearchStep* best_step(const study::TuningRecord& record) {
+  const study::SearchStep* best = nullptr;
+  for (const study::SearchStep& each : record.trace) {
+    if (best == nullptr || each.played.counted > best->played.counted) best = &each;
+  }
+  return best;
+}
+
+std::vector<TunedValue> tuned_values(const TuningView& view) {
+  const std::optional<std::size_t> kept = view.record.tuned();
+  std::vector<TunedValue> out;
+  if (!kept) return out;
+  for (std::size_t i = 0; i < view.plan.parameters.size(); ++i) {
+    const study::Parameter& parameter = view.plan.parameters[i];
+    if (parameter.fixed()) continue;
+    const double tuned = view.record.finalists[*kept].values[i];
+    out.push_back({i, parameter.start, tuned, end_of(parameter, tuned)});
+  }
+  return out;
+}
+
+std::optional<std::size_t> slice_centre(const study::TuningRecord& record) {
+  if (record.finalists.empty()) return std::nullopt;
+  return record.tuned().value_or(0);
+}
+
+std::vector<CandidateVerdict> candidate_verdicts(const TuningView& view) {
+  const study::TuningPlan& plan = view.plan;
+  const study::TuningRecord& record = view.record;
+  const std::vector<double> adjusted = record.verification.adjusted();
+  std::vector<CandidateVerdict> out;
+  for (std::size_t i = 0; i < record.verification.of().size(); ++i) {
+    const study::ScoreDifference& scores = record.verification.of()[i];
+    const study::Finalist& finalist = record.finalists[record.candidates[i]];
+    CandidateVerdict& each = out.emplace_back();
+    each.candidate = i;
+    each.finalist = record.candidates[i];
+    each.finding = record.finding(i);
+    each.forfeited = record.candidate_failed[i];
+    each.packets = record.candidate_packets[i];
+    if (finalist.seen) each.seen = of_objective(plan.objective, finalist.seen->score);
+    each.selected = of_objective(plan.objective, finalist.selected.score);
+    each.pairs = scores.difference().count();
+    each.difference = each.pairs == 0 ? statistics::Estimate{0.0, {-HUGE_VAL, HUGE_VAL}}
+                                      : of_objective(plan.objective, scores.estimate());
+    each.p = scores.p();
+    each.adjusted = adjusted[i];
+    if (!plan.head_to_head() && each.pairs > 0) {
+      each.value = of_objective(plan.objective, mean_of(scores.candidate(), plan.confidence()));
+      each.base = of_objective(plan.objective, mean_of(scores.base(), plan.confidence()));
+    }
+    const bool known = plan.head_to_head() ? finalist.selected.score.pairs > 0 : each.pairs > 0;
+    if (finalist.seen && finalist.seen->score.pairs > 0 && known) {
+      each.optimism =
+          finalist.seen->score.mean - (plan.head_to_head() ? finalist.selected.score.mean : scores.candidate().mean());
+    }
+  }
+  return out;
+}
+
 std::string problem_title(const study::TuningPlan& plan) {
   return fmt::format("{}: {} of {}, {} as {} as possible", plan.asked.name,
-                     counted(plan.free_parameters(), "parameter", "parameters"),
+                     plural(plan.free_parameters(), "parameter", "parameters"),
                      std::filesystem::path(plan.asked.team).filename().string(), in_words(plan.objective),
                      plan.objective.minimise ? "small" : "large");
 }
@@ -204,11 +318,10 @@ std::vector<Sentence> search_sentences(const TuningView& view) {
   };
   const std::uint64_t failed = static_cast<std::uint64_t>(
       std::ranges::count_if(record.trace, [](const auto& each) { return each.played.failed; }));
-  std::vector<Sentence> out{fmt::format("The search {} {} and {}{}.",
-                                        record.ended.empty() ? "has come to" : "ended after",
-                                        counted(record.trace.size(), "evaluation", "evaluations"),
-                                        counted(record.trace.back().matches, "match", "matches"),
-                                        record.ended.empty() ? std::string() : ": " + record.ended)};
+  std::vector<Sentence> out{fmt::format(
+      "The search {} {} and {}{}.", record.ended.empty() ? "has come to" : "ended after",
+      plural(record.trace.size(), "evaluation", "evaluations"), plural(record.trace.back().matches, "match", "matches"),
+      record.ended.empty() ? std::string() : ": " + record.ended)};
   if (best->evaluation == 1) {
     out.push_back(fmt::format("No evaluation had a better value than the base team's, {}.", value(*best)));
   } else {
@@ -219,7 +332,7 @@ std::vector<Sentence> search_sentences(const TuningView& view) {
   }
   if (failed > 0) {
     out.push_back(fmt::format("{} forfeited by the tuned team {} the worst value.",
-                              counted(failed, "evaluation", "evaluations"), failed == 1 ? "has" : "have"));
+                              plural(failed, "evaluation", "evaluations"), failed == 1 ? "has" : "have"));
   }
   return out;
 }
@@ -236,7 +349,7 @@ TuningVerdict tuning_verdict(const TuningView& view) {
         with_interval(of_objective(view.plan.objective, view.record.finalists.front().selected.score))));
   }
   if (view.record.tally.unplayed_pairs > 0) out.beside.push_back(unplayed_sentence(view.record.tally.unplayed_pairs));
-  // Both corrections hold, but that of the intervals is the coarser one.
+  // The test uses Holm's correction. The intervals divide alpha by the number of candidates, which makes them wider.
   if (candidates.size() > 1)
     out.beside.push_back(
         "The intervals hold for all candidates together and are wider than the test by Holm needs. So an interval may "
@@ -245,17 +358,8 @@ TuningVerdict tuning_verdict(const TuningView& view) {
 }
 
 const char* name(study::VerifiedAs finding) {
-  switch (finding) {
-    case study::VerifiedAs::better:
-      return "better";
-    case study::VerifiedAs::worse:
-      return "worse";
-    case study::VerifiedAs::prevented:
-      return "no_verdict";
-    case study::VerifiedAs::undecided:
-      break;
-  }
-  return "undecided";
+  constexpr std::array names{"undecided", "better", "worse", "no_verdict"};  // order of study::VerifiedAs
+  return names[static_cast<std::size_t>(finding)];
 }
 
 bool more_than_chance(const study::Slice& slice) {
@@ -287,7 +391,7 @@ std::string range_text(const study::Parameter& parameter) {
 
 ForfeitWords forfeit_words(const study::TuningPlan& plan) {
   return {[&plan](std::size_t team) -> std::string {
-            if (team == 0) return "the team that is tuned";  // with whatever values, those of the base team among them
+            if (team == 0) return "the team that is tuned";  // team 0 has tuned values or the values of the base team
             return team <= plan.opponents.size() ? plan.opponents[team - 1].label : "the base team";
           },
           {},

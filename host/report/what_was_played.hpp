@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What was played: with it the report of every study begins, whether as text, as JSON or as a page. Who played, under
-// which rules, with which robots and disturbances, what from and how long, how often, and by which program; and the
-// study's whole document, from which it can be played again.
+// The part "What was played" of every report: teams, rules, robots, disturbances, scenes, number of matches, program,
+// and the complete document with which a user can repeat the study. The file also compares the documents of teams.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "campaign/input.hpp"
+#include "campaign/match_inputs.hpp"
 #include "config/match_settings.hpp"
 #include "config/values.hpp"
 
@@ -18,52 +19,51 @@ namespace regista::report {
 
 struct Section;
 
-// A document that was played by. file: empty where it is built in.
+// The name and file of rules, of a robot or of a disturbance. file: empty for built-in values.
 struct PlayedProfile {
   std::string name, file;
 };
 
 struct PlayedTeam {
   std::string name, file;
-  std::string version;  // of everything that it brings along: eight digits
+  std::string version;  // first eight digits of a hash of the team's inputs
   PlayedProfile disturbance;
-  std::vector<std::string> set;         // "path=value", for it alone
-  std::vector<campaign::Input> inputs;  // campaign::team_inputs
+  std::vector<std::string> set;         // "path=value", only for this team
+  std::vector<campaign::Input> inputs;  // from campaign::team_inputs()
 };
 
 struct WhatWasPlayed {
-  std::vector<PlayedTeam> teams;  // in the order of the study
+  std::vector<PlayedTeam> teams;  // same order as in the study
   PlayedProfile rules, robot;
-  std::vector<std::string> set;         // "path=value", of all matches
-  std::string games;                    // "whole matches from kick-off"
-  std::string amount;                   // "100 pairs of each pairing, seeds from 1"
-  std::string limits;                   // of processes
-  std::string program;                  // version that began it; empty: not known
-  std::string folder;                   // in which it was begun
+  std::vector<std::string> set;         // "path=value", for all matches
+  std::string games;                    // for example "whole matches from kick-off"
+  std::string amount;                   // for example "100 pairs of each pairing, seeds from 1"
+  std::string limits;                   // resource limits of processes
+  std::string program;                  // version of the program that began the study; empty: unknown
+  std::string folder;                   // folder in which the study was begun
   std::vector<std::string> plugins;     // folders of --plugins
-  std::vector<campaign::Input> inputs;  // everything, each once
-  std::string document;                 // of the study, every value that is in force; of a match none
-  std::vector<std::string> changed;     // what is another than its document says it was played with before, a line each
-  bool may_end_by_the_clock = false;    // so another machine may play other matches
+  std::vector<campaign::Input> inputs;  // all inputs, each once
+  std::string document;                 // document of the study with all values, also defaults; empty for a match
+  std::vector<std::string> changed;     // result of not_as_before()
+  bool may_end_by_the_clock = false;    // true: a clock may end the study, so another machine may play other matches
 };
 
-// All that does not depend on which study it is. common: inputs that all matches have; openings: of each scene.
+// Returns the part that all studies have in common. common: inputs of all matches. openings: one input for each scene.
 WhatWasPlayed what_was_played(const config::MatchSettings& settings, std::span<const campaign::Input> common,
                               std::span<const campaign::Input> openings);
 
-// The profile of these inputs whose name begins so, "home disturbance": its own name, and its file.
+// Returns a profile with `file` and the name of the first input of this kind, such as "home disturbance".
 PlayedProfile profile_of(std::span<const campaign::Input> inputs, std::string_view kind, const std::string& file);
 
-// A team with its inputs, and the eight digits that they make.
 PlayedTeam played_team(std::string name, std::string file, std::vector<campaign::Input> inputs,
                        PlayedProfile disturbance);
 
-// What a study that is played again has to have as well: "plugin greedy 9f2c...", a line each.
+// Returns one line for each input ("plugin greedy 9f2c..."), without the teams' documents, which the study contains.
 std::vector<std::string> played_with(const WhatWasPlayed& played);
-// What is another than a study's document says it was played with, lines without their ends.
+// Returns one sentence for each input in MatchSettings::played_with that has another hash now.
 std::vector<std::string> not_as_before(const config::MatchSettings& settings, const WhatWasPlayed& played);
 
-// All that a plan says of how the study was begun, once what was played with is known.
+// Copies the facts about the study's beginning from the plan. Precondition: teams and inputs are set.
 template <class Plan>
 void complete(WhatWasPlayed& played, const Plan& plan) {
   played.program = plan.program;
@@ -75,7 +75,24 @@ void complete(WhatWasPlayed& played, const Plan& plan) {
 
 nlohmann::ordered_json played_json(const WhatWasPlayed& played);
 Section played_section(const WhatWasPlayed& played);
-// How it is played once more. results: file, as seen from the page; fingerprint: of all matches.
+// Explains how to repeat the study. results: path relative to the page. fingerprint: hash of all matches.
 Section again_section(const WhatWasPlayed& played, const std::string& results, const std::string& fingerprint);
+
+// --- The differences of the resolved documents of teams
+
+// A value that differs between documents. Elements of lists with names are compared with the elements of the same name.
+// So another order of a list, or an additional element, is only one difference.
+struct DifferingValue {
+  std::string path;                                // "sender.params.reserve", "roles.playing[striker].target.at"
+  std::vector<std::optional<std::string>> values;  // one value per document; missing if the document lacks this value
+};
+
+// Compares documents in the form of config::show() without remarks. Returns the values in the order of the first
+// document, then the values that only later documents have. Throws config::Error for a text that is not YAML.
+std::vector<DifferingValue> differing_values(std::span<const std::string> documents);
+
+// Returns a section of a page with the differences of the teams' documents, disturbances, plugins and files, followed
+// by each document. documents: documents of all teams, or of the first teams, in the order of `teams`; empty: unknown.
+Section configuration_section(std::span<const std::string> documents, std::span<const PlayedTeam> teams);
 
 }  // namespace regista::report

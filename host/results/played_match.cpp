@@ -2,7 +2,6 @@
 #include "results/played_match.hpp"
 
 #include <fmt/format.h>
-
 #include <unistd.h>
 
 #include <array>
@@ -12,36 +11,29 @@
 #include <memory>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "campaign/engine.hpp"
-#include "campaign/inputs.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/match_json.hpp"
-#include "campaign/mathematics.hpp"
-#include "command/end_of_program.hpp"
-#include "command/interruption.hpp"
+#include "campaign/match_encoding.hpp"
+#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
-#include "config/packet_share.hpp"
-#include "match/names.hpp"
+#include "config/scalar.hpp"
+#include "match/game_state.hpp"
 #include "match/teams.hpp"
-#include "mcap/error.hpp"
-#include "output/output.hpp"
+#include "mcap/file_io.hpp"
 #include "output/replaced_file.hpp"
 #include "plugin/process_state.hpp"
-#include "process/program.hpp"
+#include "process/child.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
 #include "report/match_summary.hpp"
+#include "results/results_file.hpp"
 #include "texts/message.hpp"
 
 namespace regista::results {
-
-std::string clock_text(double seconds) {
-  const auto whole = static_cast<long>(std::floor(seconds));
-  return fmt::format("{:02}:{:02}", whole / 60, whole % 60);
-}
-
 namespace {
 
 using command::BadInput;
@@ -51,15 +43,27 @@ using command::exit_internal;
 using command::exit_no;
 using command::Interrupted;
 
-// The course of a match on standard error. On a terminal one line that is rewritten in place: half, clock, score,
-// simulated seconds per second, packets left. Elsewhere nothing. Goals as lines of their own when asked for.
+// Shows the progress of a match on standard error. On a terminal, the class rewrites one line in place: half, clock,
+// score, simulated seconds per second, and packets left. If requested, each goal has a line of its own.
 class LiveLine {
  public:
-  // names: of the teams. live: show the line if standard error is a terminal. goals: a line for each goal.
-  LiveLine(std::array<std::string, 2> names, bool live, bool goals);
+  // names: of the teams. live: show the line if standard error is a terminal. goals: print a line for each goal.
+  LiveLine(std::array<std::string, 2> names, bool live, bool goals)
+      : names_(std::move(names)), goals_(goals), line_(live) {}
 
-  void second(double time, const match::GameState& state);
-  void event(const match::Event& event, const match::GameState& state);
+  void second(double time, const match::GameState& state) {
+    if (!line_.due()) return;
+    const double rate = time / std::chrono::duration<double>(Clock::now() - began_).count();
+    line_.show(fmt::format("half {}  {}  {}:{}  {:.0f} s/s  packets left {}, {}", state.half, clock_text(state.clock),
+                           state.goals[0], state.goals[1], rate, state.packets_left[0], state.packets_left[1]));
+  }
+  void event(const match::Event& event, const match::GameState& state) {
+    if (!goals_ || event.kind != match::EventKind::goal) return;
+    clear();
+    command::say(fmt::format("{}:{}  goal for {} ({}), half {}, {}\n", state.goals[0], state.goals[1],
+                             names_[match::index(event.side)], match::name(event.side), state.half,
+                             clock_text(state.clock)));
+  }
   void clear() { line_.clear(); }
 
  private:
@@ -69,24 +73,6 @@ class LiveLine {
   command::RewrittenLine line_;
   Clock::time_point began_ = Clock::now();
 };
-
-LiveLine::LiveLine(std::array<std::string, 2> names, bool live, bool goals)
-    : names_(std::move(names)), goals_(goals), line_(live) {}
-
-void LiveLine::second(double time, const match::GameState& state) {
-  if (!line_.due()) return;
-  const double rate = time / std::chrono::duration<double>(Clock::now() - began_).count();
-  line_.show(fmt::format("half {}  {}  {}:{}  {:.0f} s/s  packets left {}, {}", state.half, clock_text(state.clock),
-                         state.goals[0], state.goals[1], rate, state.packets_left[0], state.packets_left[1]));
-}
-
-void LiveLine::event(const match::Event& event, const match::GameState& state) {
-  if (!goals_ || event.kind != match::EventKind::goal) return;
-  clear();
-  command::say(fmt::format("{}:{}  goal for {} ({}), half {}, {}\n", state.goals[0], state.goals[1],
-                           names_[match::index(event.side)], match::name(event.side), state.half,
-                           clock_text(state.clock)));
-}
 
 std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
   return fmt::format("interrupted in half {} at {}, {:.0f} s simulated, score {}:{}; the same match again: {}",
@@ -105,17 +91,68 @@ std::unique_ptr<recording::MatchRecording> begin_recording(const MatchOptions& o
 
 }  // namespace
 
+StoredMatch read_stored_match(const std::string& results, const std::string& row,
+                              std::span<const StudyKind> kinds) try {
+  const campaign::Store store = read_results(results);
+  const auto report = stored_study(results, store, {}, kinds);
+  study::Study& study = report->study();
+  const std::uint64_t number = config::parse_whole("--row", row, 1, study.most_matches());
+  auto played = stored_match(store, study, number);
+  if (!played) throw BadInput(fmt::format("--row {}: this match of {} has not been played", number, results));
+  const std::string file = std::filesystem::absolute(results).string();
+  enter_folder("--from " + results, study.folder());
+  return {file, row, std::move(played->job), std::move(played->decided), study.limits()};
+} catch (const campaign::StoreError& error) {
+  throw BadInput(error.what());
+}
+
+std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const plugin::Catalogue& catalogue,
+                                              const std::string& program, Changed changed) try {
+  auto out = std::make_unique<campaign::StoredSetup>(stored.job, catalogue,
+                                                     [&] { return read_results(stored.results).documents(); });
+  if (out->missing().empty() || (changed == Changed::played && out->playable())) return out;
+  throw BadInput(fmt::format("--row {}: was played with something else: {}; as things are now it would be: {}",
+                             stored.row, out->missing(), campaign::match_command(stored.job, program)));
+} catch (const std::system_error& error) {
+  throw output::WriteError(fmt::format("the files of the match cannot be laid out again: {}", error.what()));
+} catch (const std::invalid_argument& error) {
+  throw BadInput(fmt::format("results in {} are damaged: {}", stored.results, error.what()));
+} catch (const campaign::StoreError& error) {
+  throw BadInput(error.what());
+}
+
+campaign::MatchResult play_by_workers(const StoredMatch& stored, campaign::Job job) try {
+  job.expects_failure = stored.decided.failure.has_value();
+  return campaign::play_alone(job, stored.limits);
+} catch (const campaign::CampaignError& error) {
+  if (error.kind == campaign::CampaignError::Kind::input) throw BadInput(error.what());
+  throw output::WriteError(error.what());
+} catch (const std::system_error& error) {
+  throw output::WriteError(error.what());
+}
+
+bool came_out_alike(const campaign::MatchResult& stored, const campaign::MatchResult& now) {
+  if (stored.failure || now.failure) return stored.failure && now.failure && stored.failure->side == now.failure->side;
+  if (stored.set_aside() || now.set_aside()) return stored.set_aside() && now.set_aside();
+  return stored.hash == now.hash;
+}
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long>(std::floor(seconds));
+  return fmt::format("{:02}:{:02}", whole / 60, whole % 60);
+}
+
 report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::MatchSetup& prepared,
                                      const plugin::Catalogue& catalogue) {
   const campaign::FoundInputs inputs =
       campaign::inputs_of(prepared, catalogue, campaign::program_hash(), campaign::mathematics_fingerprint());
   config::MatchSettings settings;
-  // A name without a file means the built-in profile.
+  // If no file has the name of a profile, the profile is built in.
   const auto file_of = [](const std::string& name) { return std::filesystem::exists(name) ? name : std::string(); };
   settings.rules = file_of(job.rules);
   settings.robot = file_of(job.robot);
   settings.limit = prepared.setup.limit;
-  // The opening is among the inputs that both teams have.
+  // Both teams have the opening as an input.
   std::vector<campaign::Input> openings;
   if (prepared.setup.opening) openings.push_back(campaign::opening_input(*prepared.setup.opening));
   report::WhatWasPlayed out = report::what_was_played(settings, inputs.common, openings);
@@ -136,7 +173,7 @@ report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::M
   return out;
 }
 
-std::string end_in_words(const campaign::Decided& decided) {
+std::string end_in_words(const campaign::MatchResult& decided) {
   if (decided.set_aside()) return "could not be played: " + decided.why_set_aside;
   if (!decided.failure) return "was played to its end";
   const campaign::Failure& failure = *decided.failure;
@@ -145,17 +182,9 @@ std::string end_in_words(const campaign::Decided& decided) {
 }
 
 int play_failed(const MatchOptions& options, const StoredMatch& stored, campaign::Job job) {
-  campaign::Decided now;
-  try {
-    job.record = options.record;
-    job.expects_failure = stored.decided.failure.has_value();
-    now = campaign::play_alone(job, stored.limits);
-  } catch (const campaign::CampaignError& error) {
-    if (error.kind() == campaign::CampaignError::Kind::input) throw BadInput(error.what());
-    throw output::WriteError(error.what());
-  }
-  const bool same_side = now.failure && stored.decided.failure && now.failure->side == stored.decided.failure->side;
-  if (same_side || (now.set_aside() && stored.decided.set_aside())) {
+  job.record = options.record;
+  const campaign::MatchResult now = play_by_workers(stored, std::move(job));
+  if ((now.failure || now.set_aside()) && came_out_alike(stored.decided, now)) {
     output::print(texts::one_line(fmt::format("row {}, again: {}", options.row, end_in_words(now))) + '\n');
     return exit_done;
   }
@@ -164,7 +193,7 @@ int play_failed(const MatchOptions& options, const StoredMatch& stored, campaign
   return exit_no;
 }
 
-int compare(const MatchOptions& options, const campaign::Decided& stored, const match::Result& played) {
+int compare(const MatchOptions& options, const campaign::MatchResult& stored, const match::Result& played) {
   const std::string hash = match::hash_text(played.hash);
   if (hash != stored.hash) {
     complain(
@@ -178,19 +207,10 @@ int compare(const MatchOptions& options, const campaign::Decided& stored, const 
 int play_prepared(const MatchOptions& options, std::vector<std::string> words, const std::optional<StoredMatch>& stored,
                   const report::WhatWasPlayed& what, campaign::MatchSetup prepared, campaign::WorkerNote& note) {
   const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
-  if (!options.record.empty() && !options.force) words.push_back("--force");  // for there is a recording now
+  if (!options.record.empty() && !options.force) words.push_back("--force");  // a replay must replace the new recording
   const std::string again = process::shell_line(words);
 
-  campaign::PlayedMatch played;
-  played.seed = prepared.setup.seed;
-  if (prepared.setup.opening) played.opening = prepared.setup.opening->name;
-  played.budget = config::packets(prepared.setup.rules.messages);
-  played.packets_share = campaign::packets_share_of(prepared.setup);
-  for (const match::Side side : match::both_sides) {
-    played.teams[match::index(side)] = plans[match::index(side)]->team().name;
-    played.role_names[match::index(side)] = match::role_names(match::roles(*plans[match::index(side)]));
-  }
-
+  campaign::PlayedMatch played = campaign::match_to_play(prepared);
   std::optional<output::OutputFile> decisions;
   std::optional<recording::DecisionLog> log;
   if (!options.decisions.empty()) {
@@ -200,7 +220,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   std::unique_ptr<recording::MatchRecording> recording;
   if (!options.record.empty()) {
     const std::string command =
-        campaign::plain_command(stored ? stored->job : campaign::job_of(options, options.plugins));
+        campaign::match_command(stored ? stored->job : campaign::job_of(options, options.plugins));
     recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, command, played.opening, played.seed});
   }
   LiveLine live(played.teams, !options.quiet, options.verbose);
@@ -248,20 +268,20 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   std::string left;
   try {
     played.result = match::play(std::move(prepared.setup), plans, &observer, after, {&note.call});
-    note.call = {};                              // whatever dies from now on dies in no plugin's call
-    if (getpid() != here) _exit(exit_internal);  // a plugin has doubled the process: one of the two is enough
+    note.call = {};                              // from here on, a crash belongs to no plugin call
+    if (getpid() != here) _exit(exit_internal);  // a plugin has forked the process: the child must not continue
     left = plugin::changes_since(before);
     if (recording) recording->close();
   } catch (const mcap::Error& error) {
     throw output::WriteError(error.what());
   } catch (const std::invalid_argument& error) {
-    throw BadInput(error.what());  // profiles and teams that do not go together
+    throw BadInput(error.what());  // profiles and teams do not fit together
   }
   played.wall_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   kept.reset();
   live.clear();
   if (!left.empty()) {
-    throw campaign::Disorder("a plugin " + left);
+    throw campaign::LeftoverState("a plugin " + left);
   }
   if (log) decisions->close();
   if (!options.metrics.empty())

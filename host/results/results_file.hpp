@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The results of a study as a file that can be continued: the file holds what was planned, and is continued only by the
-// same plan. Everything that differs is named; nothing is mixed.
+// The file of results of a study. The file stores the plan of the study, and only the same plan can continue the study.
+// If another plan is used, the error names everything that differs.
 #pragma once
 
 #include <cstdint>
@@ -12,39 +12,38 @@
 #include <vector>
 
 #include "campaign/store.hpp"
-#include "process/temporary_folder.hpp"
+#include "campaign/stored_setup.hpp"
+#include "process/file_descriptor.hpp"
 #include "report/study_report.hpp"
+#include "report/what_was_played.hpp"
 #include "results/study_kind.hpp"
 #include "study/study.hpp"
 
 namespace regista::results {
 
-// What a file of results keeps of what its study was begun with.
+// The inputs of a study that its file of results keeps.
 struct BegunWith {
-  std::vector<std::filesystem::path> files;  // documents that were read, so that a match can be played again
-  std::vector<std::string> teams;            // documents of the teams, resolved, for readers
+  std::vector<std::filesystem::path> files;  // all documents of the study, for a replay of a match
+  std::vector<std::string> teams;            // resolved documents of the teams, for readers
 };
 
-// Opens the file of results for this study. One that is resumed goes on as it was begun: stored_study() has it.
-// Throws BadInput: it exists and is not to be continued, or the other way round, holds something else, or cannot be
-// used.
+// Opens the file of results for this study. A resumed study continues with its stored plan, which stored_study() reads.
+// Throws BadInput if the file exists without `resume`, is missing with `resume`, belongs to another study, or is
+// unusable.
 campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,
                              const BegunWith& begun_with, std::span<const StudyKind> kinds);
 
-// The teams' documents that a file keeps, by team; none where it has none. Throws campaign::StoreError.
+// Returns the stored documents of the teams, by team; empty if the file has none. Throws campaign::StoreError.
 std::vector<std::string> stored_documents(const campaign::Store& store);
 
-// A file of results to be read. Throws BadInput.
+// Opens a file of results for reading. Throws BadInput.
 campaign::Store read_results(const std::string& file);
 
-// Files of results of one study, read as one: in a temporary file where there are several. Throws BadInput for such as
-// do not fit together, and output::WriteError.
+// Reads several files of results of one study like a single file. Copies all files into one temporary file. Throws
+// BadInput for files of different studies, and output::WriteError.
 class ResultsTogether {
  public:
   ResultsTogether(const std::vector<std::string>& files, std::span<const StudyKind> kinds);
-  ~ResultsTogether();
-  ResultsTogether(const ResultsTogether&) = delete;
-  ResultsTogether& operator=(const ResultsTogether&) = delete;
   const campaign::Store& store() const { return *store_; }
 
  private:
@@ -52,23 +51,45 @@ class ResultsTogether {
   std::unique_ptr<campaign::Store> store_;
 };
 
-// The plan of its study.
 std::string stored_plan(const campaign::Store& store);
 
-// The kind of study that a plan is of; file: its name, for messages. Throws BadInput for one that is not known.
+// Returns the kind of study of a plan. file: the file's name in messages. Throws BadInput for an unknown kind.
 const StudyKind& kind_of(const std::string& file, const std::string& plan, std::span<const StudyKind> kinds);
 
-// The study of the file gets so many pairs of matches, those it has among them. Throws BadInput where it may not.
+// Replaces the stored plan by another plan of the same study. Throws campaign::StoreError.
+void store_plan(campaign::Store& store, const std::string& plan);
+
+// Removes the early end from a study that the clock stopped, so that the study can continue. Other studies stay
+// unchanged. file: the store's name in messages. Throws BadInput.
+void lift_end(const std::string& file, campaign::Store& store, std::span<const StudyKind> kinds);
+
+// Changes the current folder to the folder in which a study was begun, because the study names its files relative to
+// this folder. who: the beginning of messages. Throws BadInput.
+void enter_folder(const std::string& who, const std::string& folder);
+
+// Changes the number of pairs of matches of the stored study. `pairs` includes the pairs that were played already.
+// Throws BadInput if the kind of study or its plan forbids the number.
 void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const StudyKind> kinds);
 
-// What it holds, as far as its plan says; file: its name, for messages. Throws BadInput.
+// Returns the report of the stored study, made from its plan. file: the file's name in messages. Throws BadInput.
 std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const campaign::Store& store,
                                                   report::CommandOf again, std::span<const StudyKind> kinds);
 
-// Of the matches of its first round enough that every team and every scene is among them. The study has been run then.
+// Returns matches of the first round that together include every team and every scene. The function begins to run the
+// study, so the study must not run afterwards.
 std::vector<campaign::Job> first_jobs(study::Study& study);
 
-// The match in a row of the file, from 1; nothing when it has not been played. Throws campaign::StoreError.
+// Returns the match in a row of the file, counted from 1, or nothing if it is unplayed. Throws campaign::StoreError.
 std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, study::Study& study, std::uint64_t row);
+
+// --- A stored study as a folder that `regista run` plays. The folder has study.yaml and, below it, the teams,
+// profiles, scenes and data files of the study, in the same relative places. A name of a file in the folder is
+// relative.
+
+// Writes a study to a new folder. documents: the documents of the study; kinds: all kinds of studies; folder: must not
+// exist. Returns one line for each file or folder that the new folder lacks. Throws BadInput and output::WriteError.
+std::vector<std::string> write_study(const report::WhatWasPlayed& played,
+                                     const std::vector<campaign::Document>& documents, std::span<const StudyKind> kinds,
+                                     const std::filesystem::path& folder);
 
 }  // namespace regista::results

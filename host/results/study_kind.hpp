@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A kind of study: which document asks for it, how that is planned, which report reads the plan, and how it goes on.
+// How the program was started, and which kinds of studies it has. A kind of study knows its document, how to plan a
+// study, which report reads the plan, and how a study continues.
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <span>
@@ -10,49 +12,94 @@
 #include <string_view>
 #include <vector>
 
-#include "campaign/options.hpp"
+#include "campaign/engine.hpp"
 #include "campaign/store.hpp"
 #include "config/documents.hpp"
 #include "output/output_files.hpp"
 #include "plugin/catalogue.hpp"
 #include "report/study_report.hpp"
-#include "results/invocation.hpp"
 
 namespace regista::results {
 
-// What a document asks for, once it is planned.
+struct StudyKind;
+
+// How the program was started. The object outlives all commands.
+struct Invocation {
+  std::vector<std::string> arguments;  // the first argument is the name of the program
+  std::filesystem::path executable{};  // path of the program's file; empty if the system does not know it
+  std::span<const StudyKind> studies{};
+
+  // Returns the path of a file or folder of the program, such as "share/regista/viewer.html", even if this path does
+  // not exist. The path is empty if the system does not know the path of the program.
+  std::filesystem::path own(const std::filesystem::path& name) const {
+    return executable.empty() ? executable : (executable.parent_path() / ".." / name).lexically_normal();
+  }
+};
+
+// Opens the plugins that commands use. The search order is: the folders of `--plugins`, the folders of the environment
+// variable REGISTA_PLUGIN_PATH, then ../lib/regista/plugins relative to the program's folder. Throws config::Error if
+// an option names no folder.
+plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
+
+// Opens the plugins of a file of results from its stored folders. Throws BadInput if a folder no longer exists; the
+// message says what to type instead.
+plugin::Catalogue open_stored_plugins(const std::string& file, const std::vector<std::string>& folders,
+                                      const Invocation& invocation);
+
+// The plan that a document gives.
 struct PlannedStudy {
-  std::string plan;                      // {"study": NAME, ...}
-  std::string name;                      // that its document gives it
-  std::vector<std::string> documents{};  // of the teams, resolved, where the plan does not hold them
+  std::string plan;                      // JSON: {"study": NAME, ...}
+  std::string name;                      // name of the study in its document
+  std::vector<std::string> documents{};  // resolved documents of the teams, if the plan does not contain them
 };
 
 struct StudyKind {
-  std::string_view name;     // as the plan calls it
-  std::string_view article;  // "a tournament"
+  std::string_view name;     // name of the kind in plans
+  std::string_view article;  // the name with its article: "a tournament"
   const config::DocumentKind& document;
-  // plugins: folders of the catalogue. Throws config::BadInput and config::Error, at the place that asks for what
-  // cannot be.
+  // Plans the study of a document. plugins: folders of the catalogue. Throws config::BadInput, and config::Error at the
+  // place of a value that makes the study impossible.
   std::function<PlannedStudy(const config::Node& document, const std::vector<std::string>& plugins,
                              const plugin::Catalogue& catalogue)>
       plan;
-  // What such a plan says, as a report whose study has yet to be run. store: where it was played; null: nowhere yet.
-  // Throws std::invalid_argument for what is no such plan, campaign::StoreError.
+  // Returns the report of a plan. Its study has not run yet. store: the results of the study; null: no results yet.
+  // Throws std::invalid_argument if the text is no plan of this kind, and campaign::StoreError.
   std::function<std::unique_ptr<report::StudyReport>(const std::string& plan, const campaign::Store* store,
                                                      report::CommandOf again)>
       report;
-  bool figures = true;  // beside its page
-  // Such a plan with so many pairs of matches; empty: a study of this kind has no such number. Throws
-  // std::invalid_argument, one line that says why it may not have them.
+  bool figures = true;  // true: the study writes figures beside its page
+  // Returns the plan with another number of pairs of matches. No function: this kind has no number of pairs. Throws
+  // std::invalid_argument with one line that says why the plan cannot have this number.
   std::function<std::string(const std::string& plan, std::uint64_t pairs)> with_pairs{};
-  // Begins it, or goes on with it, to its report: the exit code. Empty: play_study() does.
+  // Returns the plan of a study that the clock stopped, without this early end, so that the study can continue. No
+  // function: the clock never stops studies of this kind between two pairs. Throws std::invalid_argument.
+  std::function<std::string(const std::string& plan)> without_end{};
+  // Changes a document that has no end of its own, so that the clock ends the study. Returns other documents unchanged.
+  // No function: every document must have an end.
+  std::function<config::Node(const config::Node& document)> until_the_clock{};
+  // Begins or continues the study and writes its report. Returns the exit code. No function: play_study() is used.
   std::function<int(const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,
                     const Invocation& invocation)>
       play{};
-  // Lists every mistake for which such a document, sound in itself, cannot be planned. Empty: the first one, of plan().
+  // Reports every mistake that prevents planning a valid document. No function: the caller reports only the mistake
+  // that plan() throws.
   std::function<void(const config::Node& document, const std::vector<std::string>& plugins,
                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes)>
       check{};
 };
+
+// --- Kinds of documents for commands: the kinds of config and the documents of all kinds of studies.
+
+// Returns the kind of study that a document describes; null if the document is no study.
+const StudyKind* study_asked(const config::Node& document, std::span<const StudyKind> kinds);
+
+std::vector<config::DocumentKind> document_kinds(const Invocation& invocation);
+std::vector<std::string> kind_names(const Invocation& invocation);
+
+// Throws config::BadInput for an unknown kind. command: the command's name for the message.
+config::DocumentKind kind_named(const std::string& name, std::string_view command, const Invocation& invocation);
+
+// Returns the kind of a document. Throws config::Error at the document if it names no kind.
+config::DocumentKind kind_of(const config::Node& document, const Invocation& invocation);
 
 }  // namespace regista::results

@@ -2,27 +2,191 @@
 #include "results/study_run.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "campaign/engine.hpp"
-#include "command/end_of_program.hpp"
-#include "command/interruption.hpp"
+#include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
-#include "output/output.hpp"
-#include "process/program.hpp"
-#include "results/results_page.hpp"
-#include "results/study_progress.hpp"
-#include "study/recording_place.hpp"
+#include "output/replaced_file.hpp"
+#include "process/child.hpp"
+#include "results/replay.hpp"
+#include "results/results_file.hpp"
+#include "study/study.hpp"
 #include "texts/message.hpp"
 
 namespace regista::results {
 namespace {
+
+constexpr std::chrono::milliseconds between_drawings{200};
+constexpr std::uint64_t between_standings = 200;  // number of matches between two standings if each match has a line
+
+winsize terminal() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 && size.ws_row > 0;
+  return known ? size : winsize{24, 80, 0, 0};
+}
+
+// Cuts lines to the width of the terminal, so that the number of drawn lines is known. Each byte counts as a column, so
+// a line with wide characters is cut early. No character is cut in two. Only the last `height` lines stay.
+std::string cut(std::string text, std::size_t width, std::size_t height) {
+  auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
+  for (; lines > height; --lines) text.erase(0, text.find('\n') + 1);
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::size_t length = std::min(end - begin, width);
+    while (length > 0 && length < end - begin && (static_cast<unsigned char>(text[begin + length]) & 0xC0) == 0x80) {
+      --length;
+    }
+    out += text.substr(begin, length) + '\n';
+    begin = end + 1;
+  }
+  return out;
+}
+
+// Shows the progress of a study on standard error. On a terminal it rewrites a block of lines in place; elsewhere it
+// prints a line for each match.
+class StudyProgress {
+ public:
+  // end_of_time: no match begins after this moment; may be missing. wanted: false shows no progress.
+  StudyProgress(const report::StudyReport& report, bool wanted, std::optional<campaign::Moment> end_of_time)
+      : report_(report), wanted_(wanted), rewrite_(wanted && command::can_rewrite()), end_of_time_(end_of_time) {}
+  ~StudyProgress() { clear(); }
+  StudyProgress(const StudyProgress&) = delete;
+  StudyProgress& operator=(const StudyProgress&) = delete;
+
+  // Shows a first line, which stays until the first match has ended.
+  void begin() {
+    if (end_of_time_)
+      note(fmt::format("no match begins after {}; the study ends then, after a whole pair",
+                       campaign::in_words(*end_of_time_)));
+    if (rewrite_) show(of_all(0) + ", the first is being played\n");
+  }
+  // Shows the next match, which the study has taken. decided: null for a match not needed. fresh: played in this run.
+  void match(const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided, bool fresh) {
+    ++taken_;
+    if (decided == nullptr) return;
+    ++(fresh ? played_ : stored_);
+    if (!wanted_) return;
+    if (rewrite_) {
+      if (Clock::now() - drawn_ < between_drawings) return;
+      drawn_ = Clock::now();
+      return show(block());
+    }
+    if (!fresh) return;
+    const std::uint64_t number = round.first_row + index + 1;
+    const study::Study& study = report_.study();
+    const std::string of = study.ends_by_the_clock_alone() ? "" : fmt::format(" of {}", study.most_matches());
+    command::say(fmt::format("match {}{}, {}\n", number, of, report_.match(round, index, *decided)));
+    if (number % between_standings == 0) command::say(block());
+  }
+  // Prints a line even if progress is not shown.
+  void print(std::string_view line) {
+    clear();
+    command::complain(line);
+  }
+  // Prints a line only if progress is shown.
+  void note(const std::string& line) {
+    if (wanted_) command::say(line + '\n');
+  }
+  // Removes the block from the terminal.
+  void clear() {
+    if (lines_ == 0) return;
+    command::say(fmt::format("\x1b[{}F\x1b[J", lines_));
+    lines_ = 0;
+  }
+  void finish() {
+    if (!wanted_) return;
+    std::string out = fmt::format("{} matches played in {}", played_, texts::duration(seconds()));
+    if (played_ > 0) out += fmt::format(", {}", rate_text());
+    if (stored_ > 0) out += fmt::format("; {} were played before", stored_);
+    command::say(out + '\n');
+  }
+  // Prints the standing of a stopped study.
+  void stopped() {
+    if (wanted_ && taken_ > 0) command::say(outline_text(report_.outline()));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string of_all(std::uint64_t matches) const {
+    if (report_.study().ends_by_the_clock_alone()) return texts::plural(matches, "match", "matches");
+    return fmt::format("{} of {} matches", matches, report_.study().most_matches());
+  }
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+  std::string rate_text() const {
+    return fmt::format("{:.2f} matches/s", static_cast<double>(played_) / std::max(seconds(), 1e-3));
+  }
+  std::string block() const {
+    const std::uint64_t matches = report_.study().most_matches();
+    std::string text = fmt::format("{}{}, {}", report_.standing(), of_all(taken_), rate_text());
+    if (played_ > 0) {
+      double left = static_cast<double>(matches - std::min(taken_, matches)) * seconds() / static_cast<double>(played_);
+      if (end_of_time_) {
+        const double to_end = std::chrono::duration<double>(*end_of_time_ - std::chrono::system_clock::now()).count();
+        left = std::min(left, std::max(to_end, 0.0));
+      }
+      text += fmt::format(", at most {} left", texts::duration(left));
+    }
+    return text + '\n';
+  }
+  void show(const std::string& block) {
+    const winsize size = terminal();
+    const std::string text = cut(block, size.ws_col - std::size_t{1}, std::max<std::size_t>(size.ws_row, 2) - 1);
+    clear();
+    lines_ = static_cast<int>(std::ranges::count(text, '\n'));
+    command::say(text);
+  }
+
+  const report::StudyReport& report_;
+  std::uint64_t taken_ = 0, stored_ = 0, played_ = 0;  // taken_ includes matches that the study does not need
+  bool wanted_, rewrite_;
+  std::optional<campaign::Moment> end_of_time_;
+  int lines_ = 0;  // lines of the block on the terminal
+  Clock::time_point began_ = Clock::now(), drawn_{};
+};
+
+// Rewrites the page of a running study regularly beside the results. The page reloads itself in browsers.
+class LivePage {
+ public:
+  // wanted: false makes all functions do nothing.
+  LivePage(const StoredResults& results, bool wanted) : results_(results), wanted_(wanted) {}
+
+  // The caller must call this function at the beginning and after each match.
+  void match() {
+    const auto began = RefreshSchedule::Clock::now();
+    if (!wanted_ || !refresh_.due(began)) return;
+    // The next writing is expected to take as long as the previous writing.
+    RefreshSchedule expected;
+    expected.done(began, began + last_);
+    PageOptions page{.reload_seconds = expected.seconds_from(began), .incomplete_is_known = true};
+    wanted_ = write_page_beside(results_, false, std::move(page)).has_value();
+    const auto ended = RefreshSchedule::Clock::now();
+    last_ = ended - began;
+    refresh_.done(began, ended);
+  }
+  // Writes the last page of a stopped study, which does not reload.
+  void stop() {
+    if (wanted_) write_page_beside(results_, false, {.incomplete_is_known = true});
+    wanted_ = false;
+  }
+
+ private:
+  StoredResults results_;
+  bool wanted_;
+  RefreshSchedule refresh_;
+  RefreshSchedule::Clock::duration last_{};  // duration of the last writing of the page
+};
 
 std::string resume_line(const campaign::Options& options, const Invocation& invocation) {
   std::vector<std::string> words = invocation.arguments;
@@ -37,17 +201,6 @@ std::string locked_line(const std::string& results, const campaign::Locked& lock
   return fmt::format("{}: another program keeps it from being written to; what is played waits in memory", results);
 }
 
-// What is done while another program holds the lock, for as long as this lives.
-struct WhileLocked {
-  WhileLocked(campaign::Store& in, std::function<bool(const campaign::Locked&)> go_on) : store(in) {
-    store.when_locked(std::move(go_on));
-  }
-  ~WhileLocked() { store.when_locked({}); }
-  WhileLocked(const WhileLocked&) = delete;
-  WhileLocked& operator=(const WhileLocked&) = delete;
-  campaign::Store& store;
-};
-
 struct Playing {
   const study::Study& study;
   const campaign::Options& options;
@@ -56,8 +209,34 @@ struct Playing {
   const command::Interruption& interruption;
 };
 
+// Passes matches to the round only in complete pairs, so that a study that the clock stops has no incomplete pair.
+class WholePairs {
+ public:
+  explicit WholePairs(const study::Round& round) : round_(round) {}
+
+  // The caller must add matches in the order of the schedule. Returns false if no more matches are needed.
+  bool take(std::uint64_t index, const campaign::MatchResult* decided) {
+    waiting_.push_back(decided == nullptr ? std::nullopt : std::optional(*decided));
+    if ((index + 1) % round_.matches_of_a_pair != 0) return true;
+    std::uint64_t next = index + 1 - waiting_.size();
+    bool more = true;
+    for (const auto& each : waiting_) more = more && round_.take(next++, each ? &*each : nullptr);
+    waiting_.clear();
+    ++pairs_;
+    return more;
+  }
+
+  std::uint64_t pairs() const { return pairs_; }
+
+ private:
+  const study::Round& round_;
+  std::vector<std::optional<campaign::MatchResult>> waiting_;
+  std::uint64_t pairs_ = 0;
+};
+
+// pairs: null if no clock may stop the study; otherwise it must outlive the schedule.
 campaign::Schedule schedule_of(const study::Round& round, const Playing& playing, std::vector<std::int64_t> numbers,
-                               campaign::Metrics metrics) {
+                               campaign::Metrics metrics, WholePairs* pairs) {
   const auto recording = [&playing, &round](std::uint64_t index) {
     const auto row = static_cast<std::int64_t>(round.first_row + index) + 1;
     return study::recording_file(playing.options.results, row).string();
@@ -83,8 +262,8 @@ campaign::Schedule schedule_of(const study::Round& round, const Playing& playing
     playing.progress.print(fmt::format("a match was not recorded: {}; it can be played again with --record: {}", why,
                                        play_again(playing.invocation)(job)));
   };
-  out.take = [&round, &playing](std::uint64_t index, const campaign::Decided* decided, bool fresh) {
-    const bool more = round.take(index, decided);
+  out.take = [&round, &playing, pairs](std::uint64_t index, const campaign::MatchResult* decided, bool fresh) {
+    const bool more = pairs == nullptr ? round.take(index, decided) : pairs->take(index, decided);
     playing.progress.match(round, index, decided, fresh);
     if (const std::string why = playing.study.unplayable(); fresh && !why.empty()) throw study::StudyError(why);
     return more;
@@ -95,11 +274,15 @@ campaign::Schedule schedule_of(const study::Round& round, const Playing& playing
                                        play_again(playing.invocation)(job)));
   };
   out.asked_to_stop = [&playing] { return playing.interruption.requested(); };
+  if (pairs != nullptr)
+    out.out_of_time = [end = *playing.options.end_of_time] { return std::chrono::system_clock::now() >= end; };
   return out;
 }
 
-void play(study::Study& study, const campaign::Options& options, const Invocation& invocation, campaign::Store& store,
-          StudyProgress& progress, const study::AfterMatch& after) {
+// Returns the number of complete pairs after which the clock stopped the study, or nothing if the study is complete.
+std::optional<std::uint64_t> play(study::Study& study, const campaign::Options& options, const Invocation& invocation,
+                                  campaign::Store& store, StudyProgress& progress, const study::AfterMatch& after) {
+  std::optional<std::uint64_t> stopped_after;
   const std::string resume = resume_line(options, invocation);
   const auto to_go_on = [&resume](const char* why) { return fmt::format("{}; to go on: {}", why, resume); };
   const command::Interruption interruption(fmt::format("regista: interrupted; to go on: {}\n", resume));
@@ -109,9 +292,18 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
       if (!study::answer_from(store, round, study.metrics())) throw study::StudyError("a match is missing");
       return;
     }
-    const campaign::Schedule schedule = schedule_of(round, playing, store.add(round.fixtures), study.metrics());
+    std::optional<WholePairs> pairs;
+    if (options.end_of_time) {
+      if (round.matches_of_a_pair == 0)
+        throw study::StudyError(
+            "it has no pairs of matches to be stopped after, so --until and --minutes are not for it");
+      pairs.emplace(round);
+    }
+    const campaign::Schedule schedule =
+        schedule_of(round, playing, store.add(round.fixtures), study.metrics(), pairs ? &*pairs : nullptr);
     const campaign::Finish finish =
         campaign::run(schedule, store, campaign::number_of_workers(options), study.limits());
+    if (finish == campaign::Finish::out_of_time) stopped_after = pairs->pairs();
     if (finish != campaign::Finish::interrupted) return;
     progress.clear();
     progress.stopped();
@@ -120,69 +312,139 @@ void play(study::Study& study, const campaign::Options& options, const Invocatio
         interruption.signal_number());
   };
   bool reported = false;
-  const WhileLocked while_locked(store, [&](const campaign::Locked& locked) {
+  store.when_locked([&](const campaign::Locked& locked) {
     const std::string line = locked_line(options.results, locked);
     if (locked.over ? reported : !reported && locked.since > longest_silence) progress.print(line);
     reported = !locked.over && locked.since > longest_silence;
     return !interruption.requested();
   });
-  std::uint64_t end = 0;
+  struct AtItsEnd {  // ends all progress output before the report is printed
+    ~AtItsEnd() {
+      store.when_locked({});
+      progress.clear();
+    }
+    campaign::Store& store;
+    StudyProgress& progress;
+  };
   try {
+    const AtItsEnd at_its_end{store, progress};
+    std::uint64_t end = 0;
     study.run(study::where_planned(study::observed(play, after), store, end));
     study::require_no_row_beyond(store, end);
     store.require_whole_file();
-    progress.clear();
+    return stopped_after;
   } catch (const study::StudyError& error) {
-    progress.clear();
     throw command::BadInput(fmt::format("{}: {}", study.what(), error.what()));
   } catch (const campaign::CampaignError& error) {
-    progress.clear();
-    if (error.kind() == campaign::CampaignError::Kind::input) {
+    if (error.kind == campaign::CampaignError::Kind::input)
       throw command::BadInput(fmt::format("while the {} was played: {}", study.what(), error.what()));
-    }
     throw output::WriteError(to_go_on(error.what()));
   } catch (const campaign::StoreDamaged& error) {
-    progress.clear();
     throw command::BadInput(error.what());
   } catch (const campaign::StoreGone& error) {
-    progress.clear();
     throw output::WriteError(error.what());
   } catch (const campaign::StoreError& error) {
-    progress.clear();
     throw output::WriteError(to_go_on(error.what()));
   } catch (const std::system_error& error) {
-    progress.clear();
     throw output::WriteError(to_go_on(error.what()));
   }
-  progress.finish();
+}
+
+// Ends the study after its first `pairs` pairs and stores the plan with this end.
+void end_after(std::uint64_t pairs, report::StudyReport& report, campaign::Store& store) {
+  report.end_after(pairs);
+  try {
+    store_plan(store, report.study().plan());
+  } catch (const campaign::StoreError& error) {
+    throw output::WriteError(error.what());
+  }
 }
 
 }  // namespace
 
 report::CommandOf play_again(const Invocation& invocation) {
-  return [&invocation](const campaign::Job& job) {
-    std::vector<std::string> words = campaign::match_arguments(job);
-    words.insert(words.begin(), invocation.arguments.front());
-    return process::shell_line(words);
-  };
+  return [&invocation](const campaign::Job& job) { return campaign::match_command(job, invocation.arguments.front()); };
 }
 
-int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
-               campaign::Store& store, const StudyWishes& wishes) {
-  if (options.plays == campaign::Options::Plays::nothing_yet) return command::exit_done;
-  {
-    for (const std::string& each : report.played().changed) command::complain(each);
-    StudyProgress progress(report, !options.quiet);
-    for (const std::string& each : report.notes()) progress.note(each);
-    progress.begin();
-    play(report.study(), options, invocation, store, progress, wishes.after);
+bool play_matches(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
+                  campaign::Store& store, const study::AfterMatch& after) {
+  if (report.study().ends_by_the_clock_alone() && !options.end_of_time) {
+    throw command::BadInput(
+        fmt::format("{}: no number of pairs was asked for; how long is it to play? Say --until, "
+                    "--minutes or, of regista resume, --pairs",
+                    texts::one_line(options.results)));
   }
-  if (wishes.at_end) wishes.at_end();
+  for (const std::string& each : report.played().changed) command::complain(each);
+  StudyProgress progress(report, !options.quiet, options.end_of_time);
+  for (const std::string& each : report.notes()) progress.note(each);
+  LivePage live({options.results, store, invocation.studies}, options.live);
+  live.match();
+  if (options.live) progress.note(fmt::format("page: {}", texts::one_line(study::page_file(options.results).string())));
+  progress.begin();
+  const study::AfterMatch with_page = [&](const study::Round& round, std::uint64_t index,
+                                          const campaign::MatchResult* decided) {
+    if (after) after(round, index, decided);
+    live.match();
+  };
+  std::optional<std::uint64_t> stopped_after;
+  try {
+    stopped_after = play(report.study(), options, invocation, store, progress, options.live ? with_page : after);
+  } catch (...) {
+    live.stop();
+    throw;
+  }
+  progress.finish();
+  if (stopped_after == 0) {
+    live.stop();
+    command::complain(
+        fmt::format("the time was over before the first pair of matches was played: nothing can be said; "
+                    "to go on: {}",
+                    resume_line(options, invocation)));
+    return false;
+  }
+  if (stopped_after) end_after(*stopped_after, report, store);
+  return true;
+}
+
+namespace {
+
+int play_and_report(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
+                    campaign::Store& store, const StudyHooks& hooks) {
+  if (!play_matches(report, options, invocation, store, hooks.after)) return command::exit_no;
+  if (hooks.at_end) hooks.at_end();
   output::print(options.json ? outline_json(report.outline()) : outline_text(report.outline()));
   if (options.no_page) return command::exit_done;
-  const auto page = write_page_beside({options.results, store, invocation.studies}, wishes.figures);
+  const bool figures = kind_of(options.results, report.study().plan(), invocation.studies).figures;
+  const auto page = write_page_beside({options.results, store, invocation.studies}, figures);
   if (page && !options.quiet) command::say(fmt::format("page: {}\n", texts::one_line(page->string())));
   return command::exit_done;
+}
+
+// Runs the user's command of --notify in a shell. Its environment says how the study ended.
+void notify(const campaign::Options& options, const char* status, const std::string& message) {
+  if (options.notify.empty()) return;
+  ::setenv("REGISTA_STATUS", status, 1);
+  ::setenv("REGISTA_MESSAGE", texts::one_line(message).c_str(), 1);
+  ::setenv("REGISTA_RESULTS", std::filesystem::absolute(options.results).c_str(), 1);
+  if (std::system(options.notify.c_str()) != 0) command::complain("the command of --notify failed: " + options.notify);
+}
+
+}  // namespace
+
+int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
+               campaign::Store& store, const StudyHooks& hooks) {
+  if (options.plays == campaign::Options::Plays::nothing_yet) return command::exit_done;
+  try {
+    const int status = play_and_report(report, options, invocation, store, hooks);
+    notify(options, status == command::exit_done ? "done" : "stopped", report::plain(report.outline().headline));
+    return status;
+  } catch (const command::Interrupted& stop) {
+    notify(options, "stopped", stop.what());
+    throw;
+  } catch (const std::exception& error) {
+    notify(options, "failed", error.what());
+    throw;
+  }
 }
 
 }  // namespace regista::results

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether documents are sound. For teams and studies that means their plugins too: that they exist, can be opened, are
-// of the right kind, and take the parameters they are given. For openings it means that they can be played by rules and
-// a robot.
+// Checks of documents. For a team or a study, the check includes its plugins: each plugin must exist, open, be of the
+// right kind and accept its parameters. Openings must fit the rules and robots.
 #pragma once
 
 #include <array>
@@ -12,30 +11,31 @@
 #include <vector>
 
 #include "config/documents.hpp"
-#include "config/team_warnings.hpp"
+#include "config/team_check.hpp"
+#include "mind/team_plan.hpp"
 #include "plugin/catalogue.hpp"
 
 namespace regista::study {
 
-// What openings and teams are to be played by.
+// The rules and robots with which openings and teams are checked.
 struct Profiles {
   config::Rules rules;
-  std::array<config::Robot, 2> robots;  // by side
+  std::array<config::Robot, 2> robots;  // [0] home, [1] away
 };
 
 struct DocumentMistake {
-  config::Location where;     // of one that has no place in the document: its file alone
-  std::string message, line;  // the second with the place, as it is printed
+  config::Location where;     // names only the file if the mistake has no line
+  std::string message, line;  // line: message with its place, as the program prints it
 };
 
 struct DocumentCheck {
-  std::string file, kind;                 // kind: empty where it is not known
-  std::vector<DocumentMistake> mistakes;  // in the order of the lines
-  std::size_t more = 0;                   // mistakes that were found, but not kept
+  std::string file, kind;                 // kind: empty if unknown
+  std::vector<DocumentMistake> mistakes;  // in the order of their lines
+  std::size_t more = 0;                   // number of further mistakes, which the check did not keep
   std::vector<config::Warning> warnings;
 };
 
-// A kind of study, as far as its documents are checked: whether one that is sound in itself can be planned.
+// A kind of study. `check` tests whether a valid document of this kind can be planned, and adds mistakes to `mistakes`.
 struct StudyCheck {
   config::DocumentKind document;
   std::function<void(const config::Node& document, config::Mistakes& mistakes)> check;

@@ -5,50 +5,206 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
-#include "campaign/inputs.hpp"
 #include "config/documents.hpp"
-#include "config/flow.hpp"
+#include "config/read.hpp"
+#include "config/values.hpp"
+#include "match/game_state.hpp"
 #include "match/metric_table.hpp"
-#include "study/older_plans.hpp"
-#include "study/plan_differences.hpp"
+#include "match/teams.hpp"
+#include "plugin/info.hpp"
+#include "study/experiment_course.hpp"
+#include "study/measure.hpp"
 #include "study/plan_fields.hpp"
-#include "study/settings.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
 
-constexpr int experiment_plan_version = 2;
-
-// What the course of an experiment relies on.
+// Whether all numbers of the plan are in the ranges that class Experiment needs.
 bool sound(const ExperimentPlan& plan) {
+  if (plan.ended_after && (*plan.ended_after == 0 || *plan.ended_after > plan.pairs)) return false;
   return plan.pairs > 0 && !plan.measures.empty() && plan.conditions.size() == plan.arms() * plan.values() &&
          plan.pairs <= UINT64_MAX / 2 / plan.conditions.size();
 }
+
+constexpr std::size_t most_conditions = 2000;
+
+// The time on the game clock, s, at the end of a match that no goal difference ends, over all halves. The clock also
+// runs in Ready and Set after a goal, so Playing is shorter. Only the limit includes the time before a half's kick-off.
+double clock_seconds(const match::Setup& setup) {
+  constexpr double initial = 1.0;  // s; duration of Initial in match/referee.hpp
+  const config::Durations& durations = setup.rules.durations;
+  if (setup.opening) return setup.limit.value_or(setup.opening->length);
+  double seconds = 0.0, left = setup.limit.value_or(HUGE_VAL);
+  for (int half = 0; half < durations.halves; ++half) {
+    left -= initial + durations.ready + durations.set;
+    const double played = std::clamp(left, 0.0, durations.half);
+    seconds += played;
+    left -= played;
+  }
+  return seconds;
+}
+
+void add_once(std::vector<std::string>& to, const std::string& text) {
+  if (std::ranges::find(to, text) == to.end()) to.push_back(text);
+}
+
+class ExperimentPlanner {
+ public:
+  ExperimentPlanner(const config::Node& document, const std::vector<std::string>& plugins,
+                    const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
+      : document_(document), catalogue_(catalogue), mistakes_(mistakes) {
+    plan_.asked = config::read_document<config::Experiment>(document);
+    config::rename_files(declare(plan_.asked), from_here);
+    plan_.folder = std::filesystem::current_path().string();
+    plan_.plugins = plugins;
+  }
+
+  ExperimentPlan plan() {
+    if (plan_.arms() * plan_.values() > most_conditions) {
+      config::refuse(
+          document_, {"sweep.values"},
+          fmt::format("{} arms at {} values: at most {} can be played", plan_.arms(), plan_.values(), most_conditions));
+    }
+    make_jobs(plan_, document_);
+    look_at_conditions();
+    if (!mistakes_.none()) return {};  // the steps below need all conditions
+    mistakes_.attempt("", [&] {
+      DocumentScenes found = document_scenes(plan_.asked.settings.openings, setups_);
+      plan_.openings = std::move(found.openings);
+      scenes_ = std::move(found.read);
+    });
+    mistakes_.attempt("", [&] { count_pairs(); });
+    choose_measures();
+    return std::move(plan_);
+  }
+
+ private:
+  void look_at_conditions() {
+    const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
+    const auto declarations = plugin::declarations(catalogue_.plugins());
+    const auto shown = [&](const config::Node& document) {
+      return config::show(document, declarations, config::Remarks::without);
+    };
+    std::string opponent;
+    const auto look_at = [&](Condition& condition) {
+      const config::Overrides settings = settings_of(plan_.asked, document_, condition.arm, condition.value);
+      campaign::MatchSetup prepared = find_inputs(condition.jobs, settings, catalogue_, program, mathematics);
+      if (condition.value == 0) plan_.documents.push_back(shown(*prepared.documents[0]));
+      if (opponent.empty()) opponent = shown(*prepared.documents[1]);
+      for (const std::string& each : metric_paths_of(*prepared.plans[0])) add_once(known_, each);
+      if (condition.value == 0) add_roles(*prepared.plans[0]);
+      setups_.push_back(std::move(prepared.setup));
+    };
+    for (Condition& each : plan_.conditions) mistakes_.attempt("", [&] { look_at(each); });
+    plan_.documents.push_back(opponent);
+  }
+
+  // Adds the roles of the team's first list of roles, whose measures the plan reports by default.
+  void add_roles(const mind::TeamPlan& team) {
+    const std::vector<match::Role> roles = match::roles(team);
+    const std::vector<std::string> names = match::role_names(roles);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+      if (roles[i].list == roles.front().list) add_once(roles_, names[i]);
+    }
+  }
+
+  // Sets the number of pairs. If the document gives minutes, the shortest match of any condition sets this number.
+  void count_pairs() {
+    if (plan_.asked.matches) {
+      plan_.pairs = static_cast<std::uint64_t>(*plan_.asked.matches) / 2;
+    } else {
+      double shortest = HUGE_VAL;
+      for (match::Setup setup : setups_) {
+        if (scenes_.empty()) shortest = std::min(shortest, clock_seconds(setup));
+        for (const config::Opening& scene : scenes_) {
+          setup.opening = scene;
+          shortest = std::min(shortest, clock_seconds(setup));
+        }
+      }
+      if (!(shortest > 0.0)) {
+        config::refuse(document_, {"limit", "minutes"},
+                       "limit: matches would end before their first kick-off, so they make no minutes of the clock");
+      }
+      plan_.pairs = static_cast<std::uint64_t>(std::ceil(*plan_.asked.minutes * 60.0 / (2.0 * shortest) - 1e-9));
+    }
+    plan_.pairs = std::max<std::uint64_t>(plan_.pairs, 1);
+    const std::uint64_t each = 2 * plan_.conditions.size();
+    if (plan_.pairs <= most_experiment_matches / each) return;
+    config::refuse(document_, {"minutes", "matches"},
+                   fmt::format("{} arms and values make more than {} matches in all", plan_.conditions.size(),
+                               most_experiment_matches));
+  }
+
+  bool is_known(const std::string& measure) const { return std::ranges::find(known_, measure) != known_.end(); }
+
+  void require_measure(const std::string& measure, const config::Location& where, const char* what) const {
+    const bool short_games = !plan_.openings.empty() || plan_.asked.settings.limit;
+    if (const std::string why = why_missing(measure, short_games); !why.empty()) {
+      throw config::Error(where, fmt::format("{}: {}", what, why));
+    }
+    if (!is_known(measure)) throw config::Error(where, texts::unknown("measure", measure, what, known_));
+  }
+
+  void choose_measures() {
+    for (const config::Node& each : plan_.asked.measures) {
+      const std::string measure(match::without_roles(each.text()));
+      mistakes_.attempt("", [&] { require_measure(measure, each.where(), "measures"); });
+      add_once(plan_.measures, measure);
+    }
+    if (plan_.measures.empty()) add_usual_measures();
+    const std::string primary = plan_.primary();
+    if (primary.empty()) return;
+    mistakes_.attempt("", [&] { require_measure(primary, document_["primary"]["measure"].where(), "primary"); });
+    add_once(plan_.measures, primary);
+  }
+
+  // Adds the default measures. First come the sums over all roles. Without a sweep, three measures of each role follow
+  // (a sweep shows each measure as a curve). Last come agreement, goals, points and packets of the team.
+  void add_usual_measures() {
+    const auto add = [&](const std::string& path) {
+      if (is_known(path)) add_once(plan_.measures, path);
+    };
+    for (const std::string& path : known_) {
+      if (std::ranges::any_of(roles_, [&](const std::string& role) { return is_known(role + '.' + path); })) add(path);
+    }
+    if (!plan_.swept()) {
+      for (const char* of_each : {"overlap_seconds", "uncovered_seconds", "switches"}) {
+        for (const std::string& role : roles_) add(role + '.' + of_each);
+      }
+    }
+    for (const char* each : {"agreement", "agreement_before_silence", "agreement_after_silence", "goals",
+                             "goals_against", "points", "packets"}) {
+      add(each);
+    }
+  }
+
+  const config::Node& document_;
+  const plugin::Catalogue& catalogue_;
+  config::Mistakes& mistakes_;
+  ExperimentPlan plan_;
+  std::vector<match::Setup> setups_;  // by condition
+  // The union of the measures of all conditions.
+  std::vector<std::string> known_{measures_of_score.begin(), measures_of_score.end()};
+  std::vector<std::string> roles_;  // the roles of all arms
+  std::vector<config::Opening> scenes_;
+};
 
 }  // namespace
 
 const char* name(PairTest test) { return test == PairTest::sign_flip ? "sign_flip" : "paired_t"; }
 
-// Found by their arguments: not in the namespace above.
+// These functions are not in the unnamed namespace, because templates find them by argument-dependent lookup.
 
 static PlanJson json_of(const Condition& condition) {
-  PlanJson out = PlanJson::array();
-  for (const campaign::Job& job : condition.jobs) {
-    out.push_back({{"home", json_of(job.home_inputs)},
-                   {"away", json_of(job.away_inputs)},
-                   {"common", json_of(job.common_inputs)}});
-  }
-  return out;
+  return PlanJson::array({json_of(condition.jobs[0]), json_of(condition.jobs[1])});
 }
 static void read(const PlanJson& json, Condition& condition) {
-  for (std::size_t side = 0; side < 2; ++side) {
-    campaign::Job& job = condition.jobs[side];
-    read(json.at(side).at("home"), job.home_inputs);
-    read(json.at(side).at("away"), job.away_inputs);
-    read(json.at(side).at("common"), job.common_inputs);
-  }
+  for (const std::size_t side : {0u, 1u}) read(json.at(side), condition.jobs[side]);
 }
 
 template <Like<ExperimentPlan> Plan, class Visit>
@@ -56,6 +212,8 @@ static void fields(Plan& plan, Visit& visit) {
   visit("conditions", plan.conditions);
   visit("openings", plan.openings);
   visit("pairs", plan.pairs);
+  visit.maybe("pairs_before", plan.pairs_before);
+  visit.maybe("ended_after", plan.ended_after);
   visit("measures", plan.measures);
   visit("folder", plan.folder);
   visit("plugins", plan.plugins);
@@ -77,7 +235,7 @@ std::string ExperimentPlan::primary() const {
   return asked.primary ? std::string(match::without_roles(asked.primary->measure)) : std::string();
 }
 
-// Arms at each value; a single arm at each value with the first one.
+// Compares the arms at each value of the sweep. With a single arm, compares each value with the sweep's first value.
 std::vector<Comparison> ExperimentPlan::comparisons() const {
   std::vector<Comparison> of_arms, out;
   if (arms() == 1) {
@@ -89,9 +247,8 @@ std::vector<Comparison> ExperimentPlan::comparisons() const {
       const auto found = std::ranges::find(asked.arms, name.text(), &config::Experiment::Arm::name);
       return static_cast<std::size_t>(found - asked.arms.begin());
     };
-    for (const config::Node& pair : asked.primary->compare) {
+    for (const config::Node& pair : asked.primary->compare)
       of_arms.push_back({index(pair.elements()[0]), index(pair.elements()[1])});
-    }
   } else {
     for (std::size_t first = 0; first < arms(); ++first) {
       for (std::size_t second = first + 1; second < arms(); ++second) of_arms.push_back({first, second});
@@ -114,20 +271,10 @@ void make_jobs(ExperimentPlan& plan, const config::Node& document) {
     Condition& condition = plan.conditions[i];
     condition.arm = i % plan.arms();
     condition.value = i / plan.arms();
-    const config::Overrides settings = settings_of(plan.asked, document, condition.arm, condition.value);
-    for (const std::size_t side : {0u, 1u}) {
-      campaign::Job made = job_under(plan.asked.settings, plan.plugins);
-      made.teams[side] = team_of(plan, condition.arm);
-      made.teams[1 - side] = plan.asked.opponent;
-      (side == 0 ? made.home_disturbance : made.away_disturbance) = plan.asked.disturbance;
-      (side == 0 ? made.away_disturbance : made.home_disturbance) = plan.asked.opponent_disturbance;
-      made.overrides = as_typed(on_side(settings, side));
-      campaign::Job& job = condition.jobs[side];
-      made.home_inputs = std::move(job.home_inputs);
-      made.away_inputs = std::move(job.away_inputs);
-      made.common_inputs = std::move(job.common_inputs);
-      job = std::move(made);
-    }
+    ask_for(condition.jobs,
+            {team_of(plan, condition.arm), plan.asked.opponent, plan.asked.disturbance, plan.asked.opponent_disturbance,
+             settings_of(plan.asked, document, condition.arm, condition.value)},
+            plan.asked.settings, plan.plugins);
   }
 }
 
@@ -152,15 +299,13 @@ campaign::Job job(const ExperimentPlan& plan, const Trial& trial) {
 
 std::vector<campaign::Store::Fixture> fixtures(const ExperimentPlan& plan) {
   const std::size_t openings = std::max<std::size_t>(plan.openings.size(), 1);
-  std::vector<campaign::Store::Fixture> out(2 * plan.conditions.size() * openings);
-  for (std::size_t number = 0; number < out.size(); ++number) {
+  std::vector<campaign::Store::Fixture> out;
+  for (std::size_t number = 0; number < 2 * plan.conditions.size() * openings; ++number) {
     Trial each;
     each.opening = number % openings;
     each.side = number / openings % 2;
     each.condition = number / openings / 2;
-    out[number].job = job(plan, each);
-    const campaign::Job& made = out[number].job;
-    out[number].key = campaign::fixture_key(made.home_inputs, made.away_inputs, made.common_inputs);
+    out.push_back(fixture_of(job(plan, each)));
   }
   return out;
 }
@@ -173,23 +318,37 @@ std::string label(const ExperimentPlan& plan, std::size_t condition) {
 
 bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) {
   const auto key = [&](std::size_t condition, std::size_t side) {
-    const campaign::Job& job = plan.conditions[condition].jobs[side];
-    return campaign::fixture_key(job.home_inputs, job.away_inputs, job.common_inputs);
+    return fixture_of(plan.conditions[condition].jobs[side]).key;
   };
   return key(comparison.first, 0) == key(comparison.second, 0) && key(comparison.first, 1) == key(comparison.second, 1);
 }
 
-std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, experiment_plan_version, plan); }
+ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs) {
+  const std::uint64_t before = plan.pairs_to_its_end(), most = most_experiment_matches / 2 / plan.conditions.size();
+  if (pairs == before && !plan.ended_after) return plan;
+  if (pairs <= before) throw std::invalid_argument(fmt::format("it has {} pairs already", before));
+  if (pairs > most) throw std::invalid_argument(fmt::format("at most {} pairs can be played", most));
+  plan.ended_after = before;
+  plan = without_end(std::move(plan));
+  plan.pairs = pairs;
+  plan.asked.matches = static_cast<int>(2 * pairs);
+  plan.asked.minutes.reset();
+  return plan;
+}
+
+ExperimentPlan without_end(ExperimentPlan plan) {
+  if (!plan.ended_after) return plan;
+  plan.pairs_before += fmt::format("{}{}", plan.pairs_before.empty() ? "" : ", ", *plan.ended_after);
+  plan.ended_after.reset();
+  return plan;
+}
+
+std::string to_json(const ExperimentPlan& plan) { return plan_text(experiment_study, plan); }
 
 ExperimentPlan experiment_plan_from_json(const std::string& text) {
-  return read_plan(text, experiment_study, experiment_plan_version, experiment_of_version_1, [](const PlanJson& json) {
-    ExperimentPlan plan;
-    read(json, plan);
-    config::Mistakes first = mistakes_of_a_plan();
-    plan.asked = config::read_document<config::Experiment>(document_of(json), first);
+  return read_plan<ExperimentPlan>(text, experiment_study, experiment_of_version_1, [](ExperimentPlan& plan) {
     if (!sound(plan)) throw std::out_of_range("what no experiment has");
     make_jobs(plan, {});
-    return plan;
   });
 }
 
@@ -200,7 +359,7 @@ std::vector<std::string> differences(const ExperimentPlan& before, const Experim
     out.push_back(
         fmt::format("the measures: was {}, now {}", fmt::join(before.measures, ", "), fmt::join(now.measures, ", ")));
   }
-  if (!out.empty()) return out;  // else the same conditions, which can be compared one by one
+  if (!out.empty()) return out;  // the code below needs plans with the same conditions
   InputDifferences inputs;
   for (std::size_t i = 0; i < now.conditions.size(); ++i) {
     for (const std::size_t side : {0u, 1u}) {
@@ -214,6 +373,17 @@ std::vector<std::string> differences(const ExperimentPlan& before, const Experim
     }
   }
   return std::move(inputs).with_openings(before.openings, now.openings);
+}
+
+ExperimentPlan planned_experiment(const config::Node& document, const std::vector<std::string>& plugins,
+                                  const plugin::Catalogue& catalogue) {
+  config::Mistakes first(config::Mistakes::After::stop);
+  return ExperimentPlanner(document, plugins, catalogue, first).plan();
+}
+
+void check_experiment(const config::Node& document, const std::vector<std::string>& plugins,
+                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  ExperimentPlanner(document, plugins, catalogue, mistakes).plan();
 }
 
 }  // namespace regista::study

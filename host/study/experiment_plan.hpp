@@ -1,66 +1,76 @@
 // SPDX-License-Identifier: MIT
-// An experiment as it was fixed before its first match: arms, values of a sweep, seeds, how many matches, what is
-// measured and which test decides. From it and the results in order everything that is said follows.
+// The plan of an experiment: arms, values of a sweep, seeds, number of matches, measures and the deciding test. The
+// plan is fixed before the first match. The plan and the results in their order determine all findings.
 //
-// A condition is an arm at a value of the sweep (or an arm, without a sweep). Pair k of every condition has the seed of
-// the first plus k - 1 and the same opening: a match with the arm's team at home, then the same with the sides swapped,
-// against the same opponent. So conditions differ in nothing but what they are about, and are compared pair by pair
-// (common random numbers: A. M. Law, "Simulation Modeling and Analysis", chapter 11).
+// A condition is an arm at one value of the sweep; without a sweep, each arm is a condition. A pair is a match with the
+// arm's team at home, and the same match with the sides swapped. In all conditions, pair k has the same seed, opening
+// and opponent. So conditions differ only in their settings, and the program compares them pair by pair (common random
+// numbers, see A. M. Law, "Simulation Modeling and Analysis", chapter 11).
 //
-// Order: pair after pair; in each, every value; at each of these, every arm; of each, home, then away. Whenever it is
-// stopped, all conditions have been played equally often, but for the pair under way.
+// The order of matches, from the outer to the inner loop, is: pairs, values, arms, home and away. So all conditions
+// have the same number of complete pairs, apart from the current pair, when the experiment stops.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "campaign/input.hpp"
+#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
-#include "campaign/options.hpp"
+#include "campaign/match_inputs.hpp"
 #include "campaign/store.hpp"
+#include "config/errors.hpp"
 #include "config/experiment.hpp"
-#include "study/opening.hpp"
+#include "config/node.hpp"
+#include "plugin/catalogue.hpp"
+#include "study/settings.hpp"
 
 namespace regista::study {
 
 struct Condition {
-  std::size_t arm = 0, value = 0;     // value: 0 where there is no sweep
-  std::array<campaign::Job, 2> jobs;  // the arm's team at home, away; without seed, opening and recording
+  std::size_t arm = 0, value = 0;     // indices in the plan; value: 0 without a sweep
+  std::array<campaign::Job, 2> jobs;  // [0]: arm's team at home, [1]: away; without seed, opening and recording
 };
 
-// Of two conditions: first less second.
+// A comparison of two conditions, given by their indices: the first condition's value minus the second's.
 struct Comparison {
   std::size_t first = 0, second = 0;
 };
 
 using PairTest = config::PairedTest;
 
-struct ExperimentPlan {
-  config::Experiment asked;  // files as they are seen from `folder`
+inline constexpr std::uint64_t most_experiment_matches = 1'000'000;  // sum over all conditions
 
-  std::vector<Condition> conditions;   // of their jobs the inputs were found; all else is asked for: see make_jobs()
-  std::vector<Opening> openings;       // all scenes that are asked for; none: from kick-off
-  std::uint64_t pairs = 0;             // of matches, for each condition
-  std::vector<std::string> measures;   // that are shown, in this order; see study/measure.hpp
-  std::string folder;                  // in which it was begun, absolute
+struct ExperimentPlan {
+  config::Experiment asked;  // relative paths start at `folder`
+
+  std::vector<Condition> conditions;  // make_jobs() makes them from `asked`, except the jobs' inputs
+  std::vector<Opening> openings;      // all scenes of the document; empty: matches start with kick-off
+  std::uint64_t pairs = 0;            // pairs of matches for each condition
+  std::string pairs_before;           // values of `pairs` before with_pairs() raised it: "100, 150"
+  // Set if a clock, not a result, stopped the experiment: the number of pairs that were played until then.
+  std::optional<std::uint64_t> ended_after;
+  std::vector<std::string> measures;   // names (study/measure.hpp) in the order of reports
+  std::string folder;                  // absolute path of the folder in which the experiment began
   std::vector<std::string> plugins;    // folders of --plugins
-  std::string program;                 // version that began it; empty: not known
-  std::vector<std::string> documents;  // of the arms' teams at the first value, resolved; then of the opponent
+  std::string program;                 // version of the program that began the experiment; empty: unknown
+  std::vector<std::string> documents;  // resolved documents of arms (at the first swept value) and opponent
 
   std::size_t arms() const { return asked.arms.size(); }
   std::size_t values() const { return asked.sweep ? asked.sweep->values.size() : 1; }
   std::size_t condition(std::size_t arm, std::size_t value) const { return value * arms() + arm; }
   std::uint64_t matches() const { return 2 * pairs * conditions.size(); }
-  std::uint64_t first_seed() const { return static_cast<std::uint64_t>(asked.seed); }
+  std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs); }
+  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
   bool swept() const { return asked.sweep.has_value(); }
   std::string sweep() const { return swept() ? asked.sweep->path : std::string(); }
-  std::string value(std::size_t index) const;  // of the sweep, as YAML; empty without one
+  std::string value(std::size_t index) const;  // value of the sweep as YAML; empty without a sweep
   std::vector<std::string> value_texts() const;
-  std::string primary() const;  // measure that is tested; empty: none
-  PairTest test() const { return asked.primary ? asked.primary->test : PairTest::paired_t; }
+  std::string primary() const;  // name of the tested measure; empty: no test
+  PairTest test() const { return asked.primary ? asked.primary->test : PairTest::sign_flip; }
   std::vector<Comparison> comparisons() const;
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 };
@@ -68,41 +78,55 @@ struct ExperimentPlan {
 // File of an arm's team.
 const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);
 
-// Every condition, with jobs as they are asked for; inputs that they have stay. document: that asked was read from,
-// for the places of errors; may be absent. Throws config::Error for settings that cannot be.
+// Makes all conditions and their jobs from `asked`. Jobs keep the inputs that they already have. document: the document
+// from which `asked` was read, to which errors refer; may be absent. Throws config::Error for impossible settings.
 void make_jobs(ExperimentPlan& plan, const config::Node& document);
 
 // A match of the schedule.
 struct Trial {
-  std::size_t condition = 0, side = 0;  // side: of the arm's team, 0 home
-  std::size_t opening = 0;              // 0 where there are none
+  std::size_t condition = 0, side = 0;  // side: of the arm's team, 0 home, 1 away
+  std::size_t opening = 0;              // 0 without openings
   std::uint64_t pair = 0;               // from 0
   std::uint64_t seed = 0;
-  std::size_t number = 0;  // of the fixture: equal for matches that differ in the seed alone; see fixtures()
+  std::size_t number = 0;  // index into fixtures(); equal for matches that differ only in the seed
 };
 
-// Precondition: index < plan.matches(). Constant time.
+// The match at place `index` of the schedule. Precondition: index < plan.matches(). Takes constant time.
 Trial trial(const ExperimentPlan& plan, std::uint64_t index);
 
-// The match of a trial, as `regista match` plays it.
+// The job of a trial's match. `regista match` plays the same job.
 campaign::Job job(const ExperimentPlan& plan, const Trial& trial);
 
-// Every fixture of the plan, by number, with its key.
+// All fixtures of the plan with their keys, in the order of Trial::number.
 std::vector<campaign::Store::Fixture> fixtures(const ExperimentPlan& plan);
 
-// "events", or of a sweep "events at 0.2"
+// The name of a condition: "events", or "events at 0.2" in a sweep.
 std::string label(const ExperimentPlan& plan, std::size_t condition);
 
-// Both conditions are the same to the last byte, so they differ in nothing by construction.
+// Whether both conditions have the same inputs, byte by byte. Such conditions have the same result in every match.
 bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison);
 
 const char* name(PairTest test);
 
-// JSON; reading throws std::invalid_argument for what writing did not make.
+// A copy of the plan with more pairs. Throws std::invalid_argument if `pairs` is below the plan's number.
+ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs);
+// A copy of the plan without `ended_after`: a study that a clock stopped continues until all pairs are played.
+ExperimentPlan without_end(ExperimentPlan plan);
+
+// Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.
 std::string to_json(const ExperimentPlan& plan);
 ExperimentPlan experiment_plan_from_json(const std::string& text);
 
-// What differs between the plan of a file and the one that is asked for, in words; nothing when they are the same.
+// The differences between the plan of a file and the new plan, in words; empty if the plans are equal.
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now);
+
+// Makes the plan of a document. Sets up and checks every arm at every value of the sweep before the first match.
+// plugins: folders of the catalogue. Throws config::BadInput, and config::Error at the place of the mistake.
+ExperimentPlan planned_experiment(const config::Node& document, const std::vector<std::string>& plugins,
+                                  const plugin::Catalogue& catalogue);
+
+// Tests whether a document can be planned. Adds every mistake in arms, values and measures to `mistakes`.
+void check_experiment(const config::Node& document, const std::vector<std::string>& plugins,
+                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

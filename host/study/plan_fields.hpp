@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The facts of a plan, named once. Beside its study's document, which says what is asked (config::Tournament and
-// others), a plan holds what was found out when it was made: a function
+// Plans as JSON. A plan holds the document of its study, with everything that the user asked for (config::Tournament
+// and others), and facts that the program found when it made the plan. For each type of plan, one function fields()
+// names these facts. Writer and reader call the same function. A type inside a plan may have a function fields(), too:
 //
 //   template <Like<FooPlan> Plan, class Visit> void fields(Plan& plan, Visit& visit) {
 //     visit("folder", plan.folder);                                 // key in JSON, value
-//     visit.maybe("pairs_before", plan.pairs_before);               // of a text; an empty one is not written
+//     visit.maybe("pairs_before", plan.pairs_before);               // not written if empty
 //   }
-//
-// names them, for whatever is visited as it is written to a file of results or read from there. Parts of a plan may
-// have such a function, too.
 #pragma once
 
 #include <fmt/format.h>
+#include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
 #include <climits>
 #include <concepts>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -24,23 +25,24 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/whole_number.hpp"
+#include "campaign/match_inputs.hpp"
+#include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
-#include "study/opening.hpp"
-#include "study/plan_names.hpp"
+#include "study/settings.hpp"
+#include "study/study.hpp"
 #include "texts/json.hpp"
 
 namespace regista::study {
 
 using PlanJson = nlohmann::ordered_json;
 
-// T is this type, or a constant of it.
+// T is `Of` or `const Of`.
 template <class T, class Of>
 concept Like = std::same_as<std::remove_const_t<T>, Of>;
 
-class PlanWriter;
-class PlanReader;
+struct PlanWriter;
+struct PlanReader;
 
 template <class T>
 concept HasFields = requires(T& value, const T& constant, PlanWriter& writer, PlanReader& reader) {
@@ -48,15 +50,12 @@ concept HasFields = requires(T& value, const T& constant, PlanWriter& writer, Pl
   fields(value, reader);
 };
 
-// --- A value as JSON, and back. Reading throws Json::exception and std::out_of_range. ---
+// --- json_of() returns a value as JSON. read() sets a value; throws PlanJson::exception and std::out_of_range. ---
 
 template <class T>
 PlanJson json_of(const T& value);
 template <class T>
 void read(const PlanJson& json, T& value);
-
-inline PlanJson json_of(const campaign::Job& job) { return PlanJson::parse(campaign::to_json(job)); }
-inline void read(const PlanJson& json, campaign::Job& job) { job = campaign::job_from_json(json.dump()); }
 
 inline PlanJson json_of(const std::vector<campaign::Input>& inputs) {
   return PlanJson::parse(campaign::to_json(inputs));
@@ -65,12 +64,23 @@ inline void read(const PlanJson& json, std::vector<campaign::Input>& inputs) {
   inputs = campaign::inputs_from_json(json.dump());
 }
 
+// JSON keeps only the inputs of a plan's job. The document determines the rest of the job.
+template <Like<campaign::Job> Job, class Visit>
+void fields(Job& job, Visit& visit) {
+  visit("home", job.home_inputs);
+  visit("away", job.away_inputs);
+  visit("common", job.common_inputs);
+}
+
 inline PlanJson json_of(const Opening& opening) {
-  return {{"file", opening.file}, {"input", json_of(std::vector<campaign::Input>{opening.input})}};
+  PlanJson out{{"file", opening.file}, {"input", json_of(std::vector<campaign::Input>{opening.input})}};
+  if (opening.length > 0.0) out["length"] = opening.length;
+  return out;
 }
 inline void read(const PlanJson& json, Opening& opening) {
   json.at("file").get_to(opening.file);
   opening.input = campaign::inputs_from_json(json.at("input").dump()).at(0);
+  opening.length = json.value("length", 0.0);
 }
 
 template <class T>
@@ -96,34 +106,30 @@ void read(const PlanJson& json, std::vector<T>& values) {
   for (const PlanJson& each : json) read(each, values.emplace_back());
 }
 
-class PlanWriter {
- public:
+struct PlanWriter {
+  PlanJson out = PlanJson::object();
+
   template <class T>
   void operator()(const char* key, const T& value) {
-    out_[key] = json_of(value);
+    out[key] = json_of(value);
   }
-  void maybe(const char* key, const std::string& text) {
-    if (!text.empty()) out_[key] = text;
+  template <class T>
+  void maybe(const char* key, const T& value) {
+    if (value != T()) (*this)(key, value);
   }
-  PlanJson take() { return std::move(out_); }
-
- private:
-  PlanJson out_ = PlanJson::object();
 };
 
-class PlanReader {
- public:
-  explicit PlanReader(const PlanJson& in) : in_(in) {}
+struct PlanReader {
+  const PlanJson& in;
+
   template <class T>
   void operator()(const char* key, T& value) {
-    read(in_.at(key), value);
+    read(in.at(key), value);
   }
-  void maybe(const char* key, std::string& text) {
-    if (in_.contains(key)) read(in_.at(key), text);
+  template <class T>
+  void maybe(const char* key, T& value) {
+    if (in.contains(key)) read(in.at(key), value);
   }
-
- private:
-  const PlanJson& in_;
 };
 
 template <class T>
@@ -131,7 +137,7 @@ PlanJson json_of(const T& value) {
   if constexpr (HasFields<T>) {
     PlanWriter writer;
     fields(value, writer);
-    return writer.take();
+    return std::move(writer.out);
   } else {
     return value;
   }
@@ -140,7 +146,7 @@ PlanJson json_of(const T& value) {
 template <class T>
 void read(const PlanJson& json, T& value) {
   if constexpr (HasFields<T>) {
-    PlanReader reader(json);
+    PlanReader reader{json};
     fields(value, reader);
   } else if constexpr (std::same_as<T, std::uint64_t>) {
     value = campaign::whole_number(json);
@@ -153,24 +159,39 @@ void read(const PlanJson& json, T& value) {
 
 // --- Whole plans ---
 
-// Its document as YAML, under "document", and its facts.
+inline constexpr int plan_version = 2;  // version of the plans that plan_text() writes
+
+// The text of a plan: its document as YAML under the key "document", and its facts.
 template <class Plan>
-std::string plan_text(const char* study, int version, const Plan& plan) {
-  PlanJson out{{"study", study}, {"version", version}, {"document", config::document_text(plan.asked)}};
+std::string plan_text(const char* study, const Plan& plan) {
+  PlanJson out{{"study", study}, {"version", plan_version}, {"document", config::document_text(plan.asked)}};
   out.update(json_of(plan));
-  // Names of files may be anything, JSON must be UTF-8.
+  // JSON must be UTF-8, but a file name may have any bytes.
   return out.dump(-1, ' ', false, PlanJson::error_handler_t::replace);
 }
 
-// read(json), or std::invalid_argument with the reason. upgrade: from a plan of version 1.
-template <class Upgrade, class Read>
-auto read_plan(const std::string& text, const char* study, int version, Upgrade upgrade, Read read) {
+// Reads a text that plan_text() wrote. upgrade: converts the JSON of a plan of version 1. complete: checks the plan and
+// adds members that JSON lacks; may throw std::out_of_range. Throws std::invalid_argument with the reason.
+template <class Plan, class Upgrade, class Complete>
+Plan read_plan(const std::string& text, const char* study, Upgrade upgrade, Complete complete) {
   try {
-    const PlanJson json = PlanJson::parse(text);
+    PlanJson json = PlanJson::parse(text);
     if (json.at("study") != study) throw std::invalid_argument("these are results of another study");
-    if (json.at("version") == 1) return read(upgrade(json));
-    if (json.at("version") != version) throw std::invalid_argument("its plan is of another version");
-    return read(json);
+    if (json.at("version") == 1) {
+      json = upgrade(json);
+    } else if (json.at("version") != plan_version) {
+      throw std::invalid_argument("its plan is of another version");
+    }
+    Plan plan;
+    read(json, plan);
+    // Relative paths in the document start at the plan's folder. The files are not looked up: they may have moved.
+    const config::Node document = config::parse_text(json.at("document").get<std::string>(), "its document");
+    config::Mistakes first(config::Mistakes::After::stop, config::Mistakes::Files::as_they_stand);
+    plan.asked = config::read_document<decltype(plan.asked)>(document, first);
+    // Documents of older plans do not have the key `seeds`; their studies used consecutive seeds.
+    if (!document["seeds"]) plan.asked.settings.seeds = config::Seeds::consecutive;
+    complete(plan);
+    return plan;
   } catch (const PlanJson::exception& error) {
     throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
   } catch (const config::Error& error) {
@@ -180,20 +201,45 @@ auto read_plan(const std::string& text, const char* study, int version, Upgrade 
   }
 }
 
-// The document of a plan, which names files as they were seen from its folder.
-inline config::Node document_of(const PlanJson& json) {
-  return config::parse_text(json.at("document").get<std::string>(), "its document");
-}
-
-// For readers of such a document, whose files may be elsewhere by now.
-inline config::Mistakes mistakes_of_a_plan() {
-  return config::Mistakes(config::Mistakes::After::stop, config::Mistakes::Files::as_they_stand);
-}
-
-// The document of a plan in memory.
+// The document of a plan as a tree of nodes.
 template <class Plan>
 config::Node asked_by(const Plan& plan) {
   return config::parse_text(config::document_text(plan.asked), "its document");
 }
+
+// Collects the differences between the input files of two plans with the same teams and conditions, without repeats.
+class InputDifferences {
+ public:
+  // whose: the beginning of every difference, such as "the opponent: ".
+  void add(const std::string& whose, std::span<const campaign::Input> then, std::span<const campaign::Input> today) {
+    for (const std::string& each : campaign::differences(then, today)) {
+      const std::string line = whose + each;
+      if (std::ranges::find(lines_, line) == lines_.end()) lines_.push_back(line);
+    }
+  }
+
+  // Adds the differences between scenes and returns all. Reports the order of scenes only if nothing else differs.
+  std::vector<std::string> with_openings(std::span<const Opening> then, std::span<const Opening> today) && {
+    const std::vector<campaign::Input> before = inputs(then), now = inputs(today);
+    add("", before, now);
+    if (lines_.empty() && before != now) lines_.push_back("the openings come in another order");
+    return std::move(lines_);
+  }
+
+ private:
+  static std::vector<campaign::Input> inputs(std::span<const Opening> openings) {
+    std::vector<campaign::Input> out;
+    for (const Opening& each : openings) out.push_back(each.input);
+    return out;
+  }
+
+  std::vector<std::string> lines_;
+};
+
+// Each function converts a plan of version 1, which held no document, into a plan of plan_version. Throws
+// nlohmann::json::exception, std::out_of_range and config::Error for a damaged plan.
+PlanJson tournament_of_version_1(const PlanJson& plan);
+PlanJson experiment_of_version_1(const PlanJson& plan);
+PlanJson tuning_of_version_1(const PlanJson& plan);
 
 }  // namespace regista::study

@@ -1,68 +1,89 @@
 // SPDX-License-Identifier: MIT
 #include "study/settings.hpp"
 
+#include <Random123/philox.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+#include <utility>
 
-#include "campaign/job_setup.hpp"
+#include "config/documents.hpp"
+#include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "match/side.hpp"
+#include "match/game_state.hpp"
+#include "match/metric_table.hpp"
+#include "match/teams.hpp"
+#include "plugin/shared_object.hpp"
 #include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
 
-// What stands before the first dot, where it says which document is meant.
-constexpr std::array<std::string_view, 2> of_both{"rules", "robot"};
+// A document of a match that is not the own team's document. name: first key of its paths. inside: example of a path
+// inside it. on_side: first key of its paths in a match with the own team at home, away.
+struct OtherDocument {
+  std::string_view name, inside;
+  std::array<std::string_view, 2> on_side;
+};
+constexpr std::array<OtherDocument, 5> documents{
+    {{"opponent", "sender.plugin", {"away", "home"}},
+     {"rules", "messages.budget", {"rules", "rules"}},
+     {"robot", "walk.forward", {"robot", "robot"}},
+     {"disturbance", "radio.loss", {"home_disturbance", "away_disturbance"}},
+     {"opponent_disturbance", "radio.loss", {"away_disturbance", "home_disturbance"}}}};
 
-// Those that are not the own team's.
-constexpr std::array<std::string_view, 5> documents{"opponent", "rules", "robot", "disturbance",
-                                                    "opponent_disturbance"};
+auto document_of(std::string_view path) { return std::ranges::find(documents, first_part(path), &OtherDocument::name); }
 
-std::string example(std::string_view document) {
-  const std::string_view inside = document == "opponent" ? "sender.plugin"
-                                  : document == "rules"  ? "messages.budget"
-                                  : document == "robot"  ? "walk.forward"
-                                                         : "radio.loss";
-  return fmt::format("{}.{}", document, inside);
-}
-
-std::string_view first_part(std::string_view path) { return path.substr(0, path.find('.')); }
-
-std::string side_name(std::size_t side) {
-  return std::string(match::name(side == 0 ? match::Side::home : match::Side::away));
-}
-
-// sender.params.period is inside sender.
+// Whether `path` lies inside `whole`. Example: sender.params.period lies inside sender.
 bool is_inside(std::string_view path, std::string_view whole) {
   return path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
 }
 
 void require_settable(const config::Node::Entry& entry, const std::string& what) {
-  const std::string_view document = first_part(entry.key);
-  if (document == "home" || document == "away" || document == "home_disturbance" || document == "away_disturbance") {
-    throw config::Error(entry.key_where,
-                        fmt::format("{}: {}: each arm plays at home and away; a path without that is of its team, "
-                                    "one that begins with opponent of the other",
-                                    what, entry.key));
-  }
-  if (document == "opening") {
-    throw config::Error(entry.key_where, fmt::format("{}: {}: scenes are the same for all arms", what, entry.key));
-  }
-  if (document == entry.key && std::ranges::find(documents, document) != documents.end()) {
-    throw config::Error(entry.key_where,
-                        fmt::format("{}: {}: expected a path inside it, as in `{}`; the whole of it is named by a "
-                                    "file, `{}:` of the experiment",
-                                    what, entry.key, example(document), entry.key));
-  }
+  const auto refuse = [&](const std::string& why) {
+    throw config::Error(entry.key_where, fmt::format("{}: {}: {}", what, entry.key, why));
+  };
+  const std::string_view first = first_part(entry.key);
+  if (first == "home" || first == "away" || first == "home_disturbance" || first == "away_disturbance")
+    refuse(
+        "each arm plays at home and away; a path without that is of its team, one that begins with opponent of the "
+        "other");
+  if (first == "opening") refuse("scenes are the same for all arms");
+  const auto document = document_of(entry.key);
+  if (document != documents.end() && first == entry.key)
+    refuse(
+        fmt::format("expected a path inside it, as in `{}.{}`; the whole of it is named by a file, `{}:` of the "
+                    "experiment",
+                    first, document->inside, entry.key));
 }
 
-void append(config::Overrides& to, const config::Overrides& more) { to.insert(to.end(), more.begin(), more.end()); }
-
 }  // namespace
+
+const char* games_in_words(std::span<const Opening> openings) {
+  return openings.empty() ? "matches" : "games from scenes";
+}
+
+std::string_view first_part(std::string_view path) { return path.substr(0, path.find('.')); }
+
+std::string scenes_in_words(std::span<const Opening> openings, std::optional<double> limit) {
+  std::string out = texts::plural(openings.size(), "scene", "scenes");
+  double sum = 0.0;
+  for (const Opening& each : openings) {
+    if (each.length <= 0.0) return out;
+    sum += std::min(each.length, limit.value_or(each.length));
+  }
+  return openings.empty() ? out : fmt::format("{} of about {:.0f} s", out, sum / static_cast<double>(openings.size()));
+}
+
+std::size_t drawn_opening(std::uint64_t seed, std::size_t openings) {
+  constexpr std::uint32_t purpose = 0x6f70656e;  // "open" in ASCII; other uses of the seed have other numbers
+  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
+  const auto random = r123::Philox4x32()(counter, {{purpose, 0}});
+  return static_cast<std::size_t>((std::uint64_t{random[0]} << 32 | random[1]) % openings);
+}
 
 config::Overrides settings_of(const config::Node& set, const std::string& what) {
   config::Overrides out;
@@ -78,7 +99,7 @@ config::Overrides settings_of(const config::Experiment& experiment, const config
   config::Overrides out = settings_of(experiment.settings.set, "set");
   const config::Overrides own =
       settings_of(experiment.arms[arm].set, fmt::format("arm {}", texts::in_quotes(experiment.arms[arm].name)));
-  append(out, own);
+  out.insert(out.end(), own.begin(), own.end());
   if (!experiment.sweep) return out;
   const std::string& path = experiment.sweep->path;
   for (const config::Override& each : own) {
@@ -91,24 +112,21 @@ config::Overrides settings_of(const config::Experiment& experiment, const config
     }
   }
   const config::Location where = document["sweep"]["path"].where();
-  append(out, settings_of(config::Node::map({{path, where, experiment.sweep->values[value]}}, where), "sweep"));
+  std::ranges::copy(settings_of(config::Node::map({{path, where, experiment.sweep->values[value]}}, where), "sweep"),
+                    std::back_inserter(out));
   return out;
 }
 
+bool is_of_own_team(std::string_view path) { return document_of(path) == documents.end(); }
+
 config::Overrides on_side(const config::Overrides& settings, std::size_t side) {
-  const std::string own = side_name(side), other = side_name(1 - side);
   config::Overrides out = settings;
   for (config::Override& each : out) {
-    const std::string_view document = first_part(each.path);
-    const std::string rest = each.path.substr(document.size());
-    if (document == "opponent") {
-      each.path = other + rest;
-    } else if (document == "disturbance") {
-      each.path = own + "_disturbance" + rest;
-    } else if (document == "opponent_disturbance") {
-      each.path = other + "_disturbance" + rest;
-    } else if (std::ranges::find(of_both, document) == of_both.end()) {
-      each.path = fmt::format("{}.{}", own, each.path);
+    const auto document = document_of(each.path);
+    if (document == documents.end()) {
+      each.path.insert(0, side == 0 ? "home." : "away.");
+    } else {
+      each.path.replace(0, document->name.size(), document->on_side[side]);
     }
   }
   return out;
@@ -118,6 +136,11 @@ std::vector<std::string> as_typed(const config::Overrides& settings) {
   std::vector<std::string> out;
   for (const config::Override& each : settings) out.push_back(to_string(each));
   return out;
+}
+
+std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds) {
+  if (seeds == config::Seeds::consecutive) return static_cast<std::uint64_t>(seed);
+  return plugin::content_hash_32(std::to_string(seed));
 }
 
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins) {
@@ -140,7 +163,7 @@ campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides&
   try {
     return campaign::match_setup(request, catalogue);
   } catch (const config::Error& error) {
-    // In a document its place does not say which path it was laid over.
+    // The error's place in the study's document does not show which path was set.
     const auto is_of = [&error](const config::Location& where) {
       return where.line > 0 && where.line == error.where().line && where.column == error.where().column &&
              where.file == error.where().file;
@@ -150,6 +173,99 @@ campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides&
     if (blamed == said.end()) throw;
     throw config::Error(error.where(), fmt::format("{}: {}", blamed->path, error.message()));
   }
+}
+
+void ask_for(OwnJobs& jobs, const OwnMatches& asked, const config::MatchSettings& under,
+             const std::vector<std::string>& plugins) {
+  for (const std::size_t side : {0u, 1u}) {
+    campaign::Job made = job_under(under, plugins);
+    made.teams[side] = asked.team;
+    made.teams[1 - side] = asked.opponent;
+    made.home_disturbance = side == 0 ? asked.disturbance : asked.opponent_disturbance;
+    made.away_disturbance = side == 0 ? asked.opponent_disturbance : asked.disturbance;
+    made.overrides = as_typed(on_side(asked.settings, side));
+    campaign::Job& job = jobs[side];
+    made.home_inputs = std::move(job.home_inputs);
+    made.away_inputs = std::move(job.away_inputs);
+    made.common_inputs = std::move(job.common_inputs);
+    job = std::move(made);
+  }
+}
+
+campaign::MatchSetup find_inputs(OwnJobs& jobs, const config::Overrides& settings, const plugin::Catalogue& catalogue,
+                                 const std::string& program, const std::string& mathematics) {
+  const auto prepare = [&](std::size_t side) {
+    campaign::Job& job = jobs[side];
+    campaign::MatchSetup prepared = match_of(job, on_side(settings, side), settings, catalogue);
+    campaign::FoundInputs found = campaign::inputs_of(prepared, catalogue, program, mathematics);
+    job.home_inputs = std::move(found.home);
+    job.away_inputs = std::move(found.away);
+    job.common_inputs = std::move(found.common);
+    return prepared;
+  };
+  campaign::MatchSetup first = prepare(0);
+  prepare(1);
+  return first;
+}
+
+campaign::Store::Fixture fixture_of(campaign::Job job) {
+  return {campaign::fixture_key(job.home_inputs, job.away_inputs, job.common_inputs), std::move(job)};
+}
+
+std::vector<std::string> opening_files(const std::string& path, const std::string& who) {
+  std::error_code error;
+  if (!std::filesystem::is_directory(path, error)) return {path};
+  std::vector<std::string> out;
+  for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
+    if (entry.path().extension() == ".yaml") out.push_back(entry.path().string());
+  }
+  if (error) throw config::BadInput(fmt::format("{} {}: {}", who, path, error.message()));
+  if (out.empty()) throw config::BadInput(fmt::format("{} {}: there is no .yaml file in this folder", who, path));
+  std::ranges::sort(out);
+  return out;
+}
+
+void add_scene(std::vector<Opening>& scenes, Opening scene, const std::string& name, const std::string& who) {
+  const auto same = std::ranges::find(scenes, scene.input.name, [](const auto& each) { return each.input.name; });
+  if (same != scenes.end()) {
+    throw config::BadInput(same->file == scene.file ? fmt::format("{}: {} is given twice", who, scene.file)
+                                                    : fmt::format("{}: {} and {} have the same name, {}", who,
+                                                                  same->file, scene.file, name));
+  }
+  scenes.push_back(std::move(scene));
+}
+
+DocumentScenes document_scenes(const std::vector<config::NamedPath>& paths, std::span<match::Setup> setups) {
+  DocumentScenes out;
+  for (const config::NamedPath& path : paths) {
+    const std::string who = config::to_string(path.where) + ": openings";
+    for (const std::string& file : opening_files(path.path, who)) {
+      const config::Node document = config::load(file);
+      const config::Opening opening = config::read_document<config::Opening>(document);
+      for (const match::Setup& setup : setups) {
+        if (const auto misfit = config::misfit(opening, setup.rules, setup.robots)) {
+          config::refuse(document, {misfit->path}, misfit->reason);
+        }
+      }
+      add_scene(out.openings, {from_here(file), campaign::opening_input(opening), opening.length}, opening.name, who);
+      out.read.push_back(opening);
+    }
+  }
+  return out;
+}
+
+std::string from_here(const std::string& absolute) {
+  if (absolute.empty()) return absolute;
+  const auto relative = std::filesystem::path(absolute).lexically_relative(std::filesystem::current_path());
+  return relative.empty() || relative.native().starts_with("..") ? absolute : relative.string();
+}
+
+std::vector<std::string> metric_paths_of(const mind::TeamPlan& team) {
+  match::MemberNames names{match::role_names(match::roles(team)), team.reasons()};
+  for (const mind::TeamMetric& each : team.metrics()) {
+    (each.combine == REGISTA_METRIC_SUM ? names.plugin_totals : names.plugin_values).push_back(each.name);
+  }
+  return match::metric_paths(match::metric_table(), names);
 }
 
 }  // namespace regista::study

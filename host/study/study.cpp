@@ -3,17 +3,21 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 #include <utility>
 
-#include "study/plan_names.hpp"
 #include "texts/json.hpp"
 
 namespace regista::study {
 namespace {
 
-// The file holds no more.
+// Thrown when the study asks for a match that the store does not hold.
 struct NotPlayed {};
+
+std::vector<std::int64_t> numbers_of(const Round& round, const campaign::Store& store) {
+  std::vector<std::string> keys;
+  for (const campaign::Store::Fixture& each : round.fixtures) keys.push_back(each.key);
+  return store.numbers(keys);
+}
 
 }  // namespace
 
@@ -27,7 +31,7 @@ PlayRound observed(PlayRound play, AfterMatch after) {
   if (!after) return play;
   return [play = std::move(play), after = std::move(after)](const Round& round) {
     Round watched = round;
-    watched.take = [&round, &after](std::uint64_t index, const campaign::Decided* decided) {
+    watched.take = [&round, &after](std::uint64_t index, const campaign::MatchResult* decided) {
       const bool more = round.take(index, decided);
       after(round, index, decided);
       return more;
@@ -36,35 +40,16 @@ PlayRound observed(PlayRound play, AfterMatch after) {
   };
 }
 
-namespace {
-
-std::vector<std::int64_t> numbers_of(const Round& round, const campaign::Store& store) {
-  std::vector<std::string> keys;
-  for (const campaign::Store::Fixture& each : round.fixtures) keys.push_back(each.key);
-  return store.numbers(keys);
-}
-
-void require_planned(const campaign::Store& store, const Round& round) {
-  const std::vector<std::int64_t> numbers = numbers_of(round, store);
-  const auto key_at = [&](std::uint64_t index) -> std::optional<campaign::MatchKey> {
-    const auto place = round.at(index);
-    if (!place) return std::nullopt;
-    return campaign::MatchKey{numbers[place->fixture], place->seed};
-  };
-  // At a place that is not wanted any more one may have been played ahead.
-  const auto planned = [&](std::int64_t row, const campaign::MatchKey& key) {
-    const auto here = key_at(static_cast<std::uint64_t>(row) - 1 - round.first_row);
-    return !here || *here == key;
-  };
-  const auto from = static_cast<std::int64_t>(round.first_row);
-  store.require_planned(from + 1, from + static_cast<std::int64_t>(round.matches), planned);
-}
-
-}  // namespace
-
 PlayRound where_planned(PlayRound play, const campaign::Store& store, std::uint64_t& end) {
   return [play = std::move(play), &store, &end](const Round& round) {
-    require_planned(store, round);
+    const std::vector<std::int64_t> numbers = numbers_of(round, store);
+    const auto from = static_cast<std::int64_t>(round.first_row);
+    // A row with an unwanted match is no damage: an engine may have played the match before it became unwanted.
+    const auto planned = [&](std::int64_t row, const campaign::MatchKey& key) {
+      const auto place = round.at(static_cast<std::uint64_t>(row - 1 - from));
+      return !place || campaign::MatchKey{numbers[place->fixture], place->seed} == key;
+    };
+    store.require_planned(from + 1, from + static_cast<std::int64_t>(round.matches), planned);
     end = std::max(end, round.first_row + round.matches);
     play(round);
   };
@@ -80,7 +65,7 @@ void require_no_row_beyond(const campaign::Store& store, std::uint64_t end) {
 bool answer_from(const campaign::Store& store, const Round& round, campaign::Metrics metrics) {
   const std::vector<std::int64_t> numbers = numbers_of(round, store);
   for (std::uint64_t index = 0; index < round.matches; ++index) {
-    std::optional<campaign::Decided> decided;
+    std::optional<campaign::MatchResult> decided;
     if (const auto place = round.at(index)) {
       decided = store.find(static_cast<std::int64_t>(round.first_row + index) + 1,
                            {numbers[place->fixture], place->seed}, metrics);
@@ -98,10 +83,8 @@ void read_back(Study& study, const campaign::Store& store, campaign::Metrics met
   std::uint64_t end = 0;
   try {
     study.run(where_planned(observed(read, after), store, end));
-  } catch (const NotPlayed&) {
-    // It holds what there is.
-  } catch (const StudyError&) {
-    // As when it was played: nothing more came of it.
+  } catch (const NotPlayed&) {   // the store holds no more matches
+  } catch (const StudyError&) {  // the study also ended here when it was played first
   }
   require_no_row_beyond(store, end);
 }

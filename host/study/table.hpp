@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// A table of plain comma-separated values, read line by line, compressed by gzip or not. Columns go by the names of the
-// first line; nothing is quoted. (The CSV libraries of the distribution fix the columns when they are compiled, or do
-// not say where in a line a value stands.)
+// Tables of comma-separated values as people, pandas, R and this program write them (RFC 4180), in UTF-8, plain or
+// compressed by gzip. The first line names the columns; blank lines do not count. libcsv reads the fields. It gets them
+// piece by piece, so that the place of each is known. A file of chess games is a table, too (PGN, "Portable Game
+// Notation Specification and Implementation Guide", 1994), with the headers White, Black and Result as columns.
 #pragma once
 
 #include <cstddef>
@@ -9,60 +10,105 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "config/node.hpp"
+#include "statistics/counts.hpp"
+
+struct csv_parser;  // a type of libcsv
+struct gzFile_s;    // a type of zlib
 
 namespace regista::study {
 
-// Called now and then while a file is read, with the lines so far; may throw to stop.
+// Called from time to time while a file is read. lines: number of lines so far. May throw to stop the reading.
 using Progress = std::function<void(std::size_t lines)>;
 
 class Table {
  public:
-  static constexpr std::size_t longest_line = 65'536;     // bytes
+  static constexpr std::size_t longest_line = 65'536;     // bytes; also of a field that has several lines
   static constexpr std::size_t most_lines = 100'000'000;  // a day of a 1 kHz camera
 
-  // Opens the file and reads the names of its columns. Throws config::Error at the file, or at the place in it, for
-  // everything that is wrong with it, as do all calls below.
+  // Opens the file and reads the names of its columns. All calls throw config::Error at the place of a mistake.
   explicit Table(const std::filesystem::path& file, Progress progress = {});
-  ~Table();
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;
 
-  // Index of a column; throws when the first line does not have it.
+  // The index of a column. Throws if the first line does not name the column.
   std::size_t column(std::string_view name) const;
   bool has_column(std::string_view name) const;
-  std::span<const std::string> columns() const { return columns_; }  // in their order
+  std::span<const std::string> columns() const { return columns_; }  // in the order of the first line
 
-  // Reads the next line that is not empty; false at the end of the file.
+  // Reads the next row; false at the end of the file.
   bool next();
 
-  // Fields of the present line.
-  std::string_view text(std::size_t column) const { return fields_[column]; }
-  double number(std::size_t column) const;  // finite
-  int integer(std::size_t column) const;
-  std::int64_t count(std::size_t column, std::int64_t most) const;  // from 0 to `most`
+  // Fields of the current row. Numbers are decimal: 1, 1.0, +1, .5, 1e0.
+  std::string_view text(std::size_t column) const {
+    return std::string_view(text_).substr(fields_[column].from, fields_[column].size);
+  }
+  std::optional<double> value(std::size_t column) const;  // nothing if it is no number; may be infinite or NaN
+  double number(std::size_t column) const;                // finite
+  // A whole number from 0 to `most`, which is below 2^53; may be written 3.0.
+  std::int64_t count(std::size_t column, std::int64_t most) const;
 
-  config::Location where(std::size_t column) const;  // before next(): of the column's name
-  [[noreturn]] void refuse(std::size_t column, const std::string& message) const;  // throws Error at the field
+  config::Location where(std::size_t column) const;  // place of the field; before next(): of the column's name
+  [[noreturn]] void refuse(std::size_t column, const std::string& message) const;  // throws config::Error at the field
 
  private:
-  struct Stream;
+  struct Field {
+    std::size_t from = 0, size = 0;  // in text_
+    int line = 0, column = 0;        // where it begins
+  };
+  struct Close {
+    void operator()(gzFile_s* file) const;
+    void operator()(csv_parser* parser) const;
+  };
   bool read_line();
-  void split();
-  [[noreturn]] void refuse_line(const std::string& message) const;
+  bool read_row();
+  void begin_field(std::size_t byte);
+  bool read_game();
+  [[noreturn]] void refuse_line(std::size_t byte, const std::string& message) const;
 
   std::string name_;
   Progress progress_;
-  std::unique_ptr<Stream> stream_;
-  std::string line_;
+  std::unique_ptr<gzFile_s, Close> file_;
+  std::unique_ptr<csv_parser, Close> parser_;
+  std::string line_;  // with its line feed
   std::size_t lines_ = 0;
+  bool of_games_ = false;  // PGN
   std::vector<std::string> columns_;
-  std::vector<std::string_view> fields_;
+  std::vector<Field> fields_;  // of the current row
+  std::string text_;           // the texts of the fields, one after the other
+  Field begun_;                // the field that is being read
+  bool row_ended_ = false;
 };
+
+// --- Results of games that teams played elsewhere, as a table with columns in any order:
+//
+//   first, second and     LL, LD, DD, WD, WW: counts of pairs; DD also counts a pair with one win each
+//                         wins, draws, losses: counts of games that belong to no pair
+//                         score: one game per line: 1, 0.5 or 0 points for the first team, or 1-0, 1/2-1/2 or 0-1
+//   home, away and        home_goals, away_goals: one game per line; without goals it was not played
+//   White, Black and      Result: as score; * for a game that has not ended
+//
+// Where lines are games, two lines of the same teams, in either order, with the same text in a column `pair` form a
+// pair; a game with an empty field in that column belongs to no pair. All counts are from the first team's point of
+// view. Counts of several lines with the same teams are added. Left out are other columns that `regista report --csv`
+// writes, and the index that pandas and R write.
+
+struct ResultsOfTeams {
+  std::vector<std::string> teams;                 // in the order of their first line
+  std::vector<statistics::Encounter> encounters;  // one per pairing, in the order of its first line
+  std::vector<std::string> remarks;               // sentences
+};
+
+inline constexpr std::size_t most_ranked_teams = 500;
+
+// Throws config::Error at the place of the mistake: a column that is missing or unknown, a count that is negative or
+// not whole, a team against itself, a pair of one score or three games, no game at all.
+ResultsOfTeams read_results_of_teams(const std::filesystem::path& file);
 
 }  // namespace regista::study

@@ -4,34 +4,247 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
-#include "campaign/inputs.hpp"
+#include "campaign/match_setup.hpp"
 #include "config/documents.hpp"
+#include "config/overlay.hpp"
+#include "config/read.hpp"
+#include "config/values.hpp"
+#include "match/match.hpp"
 #include "match/side.hpp"
-#include "study/older_plans.hpp"
+#include "plugin/info.hpp"
+#include "study/measure.hpp"
 #include "study/plan_fields.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
 
-constexpr int tournament_plan_version = 2;
-
-// What the course of a tournament relies on.
+// Whether all numbers of the plan are in the ranges that class Tournament needs.
 bool sound(const TournamentPlan& plan) {
   for (std::size_t i = 0; i < plan.teams.size(); ++i) {
     const bool own = !plan.asked.teams[i].disturbance.empty();
     if (plan.teams[i].disturbances.size() != (own ? 2u : 0u)) return false;
   }
+  if (plan.ended_after && (*plan.ended_after == 0 || *plan.ended_after > plan.pairs())) return false;
   return plan.pairs() <= UINT64_MAX / 2 / plan.pairings().size() && plan.most_goals >= 1;
 }
 
+// Whether the first key of the path names a side or a document that is not a team's.
+bool is_addressed(const std::string& path) {
+  constexpr std::array first_parts{"home", "away", "rules", "robot", "disturbance", "opening"};
+  return std::ranges::find(first_parts, first_part(path)) != first_parts.end();
+}
+
+void require_settable(const config::Node::Entry& setting, const TournamentPlan& plan) {
+  const std::string first(first_part(setting.key));
+  const auto refuse = [&](const std::string& why) {
+    throw config::Error(setting.key_where, fmt::format("{}: {}", setting.key, why));
+  };
+  const bool letter = first.size() == 1 && first[0] >= 'a' && first[0] <= 'z';
+  if (first.size() == 1 && first[0] >= 'A' && first[0] <= 'Z') refuse("teams are called by small letters");
+  if (first == "home" || first == "away") {
+    refuse(
+        "in a tournament each team plays on both sides; begin the path with a for the first team, b for the second, "
+        "and so on");
+  }
+  if (first == "home_disturbance" || first == "away_disturbance") {
+    refuse(
+        "in a tournament each team plays on both sides; a path that begins with disturbance is for both teams, and "
+        "`teams` names a disturbance of one");
+  }
+  if (first == "opponent" || first == "opponent_disturbance")
+    refuse("a tournament has no opponent; begin the path with a for the first team, b for the second, and so on");
+  if (letter && first == setting.key)
+    refuse(fmt::format("expected a path inside it, as in {}.teammates_forgotten_after", first));
+  const std::size_t teams = plan.asked.teams.size();
+  if (letter && static_cast<std::size_t>(first[0] - 'a') >= teams)
+    refuse(fmt::format("there are {} teams, a to {}", teams, study::letter(std::min<std::size_t>(teams, 26) - 1)));
+  if (first == "opening" && plan.asked.settings.openings.empty()) refuse("there is no opening; `openings` names some");
+}
+
+// A team's label is its name. If teams share a name, their file follows, or their letter if they also share the file.
+void label_teams(TournamentPlan& plan) {
+  std::map<std::string, int> seen;
+  for (const Entrant& team : plan.teams) ++seen[team.label];
+  for (std::size_t i = 0; i < plan.teams.size(); ++i) {
+    std::string& label = plan.teams[i].label;
+    if (seen[label] == 1) continue;
+    const std::string& file = plan.asked.teams[i].team;
+    const bool same_file = std::ranges::count(plan.asked.teams, file, &config::Tournament::Team::team) > 1;
+    const std::string letter = i < 26 ? study::letter(i) : std::to_string(i + 1);
+    label = fmt::format("{} ({})", label, same_file ? letter : file);
+  }
+}
+
+struct Scene {
+  std::string file, who;  // who: the beginning of messages about the scene
+};
+
+class TournamentPlanner {
+ public:
+  TournamentPlanner(const config::Node& document, const std::vector<std::string>& plugins,
+                    const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
+      : document_(document),
+        catalogue_(catalogue),
+        mistakes_(mistakes),
+        program_(campaign::program_hash()),
+        mathematics_(campaign::mathematics_fingerprint()) {
+    plan_.asked = config::read_document<config::Tournament>(document);
+    config::rename_files(declare(plan_.asked), from_here);
+    plan_.teams.resize(plan_.asked.teams.size());
+    plan_.folder = std::filesystem::current_path().string();
+    plan_.plugins = plugins;
+  }
+
+  PlannedTournament planned() {
+    for (const config::Node::Entry& each : plan_.asked.settings.set.entries()) require_settable(each, plan_);
+    find_scenes();
+    for (std::size_t team = 0; team < plan_.teams.size(); ++team) {
+      mistakes_.attempt("", [&] { look_at_team(team); });
+    }
+    if (!mistakes_.none()) return {};
+    count_common_inputs();
+    label_teams(plan_);
+    look_at_scenes();
+    if (!mistakes_.none()) return {};
+    refuse_what_never_ends();
+    refuse_too_many();
+    return {std::move(plan_), std::move(documents_)};
+  }
+
+ private:
+  // Sets up a match. A path without a side is set for home and away, because the path may be wrong for one team only.
+  campaign::MatchSetup setup_of(const TournamentPlan& plan, std::size_t home = 0, std::size_t away = 1) const {
+    const Fixture fixture{.home = home, .away = away};
+    config::Overrides addressed;
+    for (const config::Override& each : settings_of(plan, fixture)) {
+      if (is_addressed(each.path)) {
+        addressed.push_back(each);
+        continue;
+      }
+      for (const char* const side : {"home.", "away."})
+        addressed.emplace_back(side + each.path, each.value, each.where);
+    }
+    config::Overrides said;
+    for (const config::Node::Entry& each : plan.asked.settings.set.entries())
+      said.emplace_back(each.key, each.value, each.key_where);
+    return match_of(job(plan, fixture), addressed, said, catalogue_);
+  }
+
+  void find_scenes() {
+    for (const config::NamedPath& each : plan_.asked.settings.openings) {
+      const std::string who = config::to_string(each.where) + ": openings";
+      for (const std::string& file : opening_files(each.path, who)) scenes_.push_back({file, who});
+    }
+    if (!scenes_.empty()) plan_.openings = {{scenes_.front().file, {}}};
+  }
+
+  void require_metric(const mind::TeamPlan& team) const {
+    const Objective objective = plan_.objective();
+    const auto* const test = std::get_if<ValueTest>(&objective);
+    if (test == nullptr || test->value == goals_value) return;
+    std::vector<std::string> paths = metric_paths_of(team);
+    const std::string path(match::without_roles(test->value));
+    const config::Location where = document_["test"]["metric"].where();
+    if (const std::string why = why_missing(path, plan_.short_games()); !why.empty())
+      throw config::Error(where, "test.metric " + why);
+    if (std::ranges::find(paths, path) != paths.end()) return;
+    paths.insert(paths.begin(), goals_value);
+    throw config::Error(
+        where, texts::unknown("metric", test->value, fmt::format("test.metric, of team {}", team.team().name), paths));
+  }
+
+  void look_at_team(std::size_t team) {
+    const std::size_t other = (team + 1) % plan_.teams.size();
+    const campaign::MatchSetup prepared = setup_of(plan_, team, other);
+    if (!mistakes_.doubtful("test.metric")) {
+      mistakes_.attempt("test.metric", [&] { require_metric(*prepared.plans[0]); });
+    }
+    plan_.teams[team].label = prepared.plans[0]->team().name;
+    plan_.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue_);
+    documents_.push_back(
+        config::show(*prepared.documents[0], plugin::declarations(catalogue_.plugins()), config::Remarks::without));
+    plan_.common_inputs = common_inputs_of(prepared);
+    keep_disturbance(team, 0);
+    keep_disturbance(other, 1);
+    if (scenes_.empty()) plan_.most_goals = match::most_goal_difference(prepared.setup);
+  }
+
+  std::vector<campaign::Input> common_inputs_of(const campaign::MatchSetup& prepared) const {
+    match::Setup setup = prepared.setup;
+    setup.opening.reset();  // the common inputs do not include the scene
+    return campaign::common_inputs(setup, program_, mathematics_);
+  }
+
+  // Stores the input that a team's own disturbance adds to the team's matches on this side.
+  void keep_disturbance(std::size_t team, std::size_t side) {
+    if (plan_.asked.teams[team].disturbance.empty()) return;
+    std::vector<campaign::Input>& out = plan_.teams[team].disturbances;
+    out.resize(2);
+    out[side] = *std::ranges::find_if(plan_.common_inputs,
+                                      [side](const campaign::Input& each) { return is_disturbance(each, side); });
+  }
+
+  // Sets the plan's common inputs: the common inputs of a match in which no team has a disturbance of its own.
+  void count_common_inputs() {
+    TournamentPlan without = plan_;
+    for (std::size_t i = 0; i < without.teams.size(); ++i) {
+      without.asked.teams[i].disturbance.clear();
+      without.teams[i].disturbances.clear();
+    }
+    plan_.common_inputs = common_inputs_of(setup_of(without));
+  }
+
+  void look_at_scenes() {
+    std::vector<Opening> found;
+    for (const Scene& scene : scenes_) {
+      mistakes_.attempt("", [&] {
+        TournamentPlan with = plan_;
+        with.openings = {{scene.file, {}}};
+        const campaign::MatchSetup prepared = setup_of(with);
+        plan_.most_goals = std::max(plan_.most_goals, match::most_goal_difference(prepared.setup));
+        const config::Opening& opening = *prepared.setup.opening;
+        add_scene(found, {scene.file, campaign::opening_input(opening), opening.length}, opening.name, scene.who);
+      });
+    }
+    plan_.openings = std::move(found);
+  }
+
+  void refuse_what_never_ends() const {
+    if (plan_.asked.pairs || !equal_teams(plan_, {0, 1})) return;
+    throw config::Error(document_["test"].where(),
+                        "test: the teams are equal to the last byte, so every pair is even and it would never stop; "
+                        "`pairs` says how many are enough");
+  }
+
+  // Limits the number of fixtures, because the program keeps the inputs of all fixtures in memory.
+  void refuse_too_many() const {
+    constexpr std::size_t most_fixtures = 50'000;
+    const std::size_t fixtures = Calendar(plan_).fixtures();
+    if (fixtures <= most_fixtures) return;
+    throw config::Error(document_["teams"].where(),
+                        fmt::format("teams: {} teams from {} openings make {} fixtures; at most {} can be kept; fewer "
+                                    "openings or `format: gauntlet` make fewer",
+                                    plan_.teams.size(), plan_.openings.size(), fixtures, most_fixtures));
+  }
+
+  const config::Node& document_;
+  const plugin::Catalogue& catalogue_;
+  config::Mistakes& mistakes_;
+  std::string program_, mathematics_;
+  std::vector<Scene> scenes_;
+  TournamentPlan plan_;
+  std::vector<std::string> documents_;
+};
+
 }  // namespace
 
-// Found by their arguments: not in the namespace above.
+// These functions are not in the unnamed namespace, because templates find them by argument-dependent lookup.
 
 template <Like<Entrant> Team, class Visit>
 static void fields(Team& team, Visit& visit) {
@@ -46,6 +259,7 @@ static void fields(Plan& plan, Visit& visit) {
   visit("openings", plan.openings);
   visit("most_goals", plan.most_goals);
   visit.maybe("pairs_before", plan.pairs_before);
+  visit.maybe("ended_after", plan.ended_after);
   visit("folder", plan.folder);
   visit("plugins", plan.plugins);
   visit.maybe("program", plan.program);
@@ -66,6 +280,8 @@ Objective objective_of(const config::Tournament& asked) {
 std::uint64_t TournamentPlan::pairs() const {
   return asked.pairs ? static_cast<std::uint64_t>(*asked.pairs) : most_pairs;
 }
+
+bool TournamentPlan::ends_by_the_clock_alone() const { return !asked.test && pairs() == most_pairs; }
 
 std::vector<Pairing> TournamentPlan::pairings() const {
   std::vector<Pairing> out;
@@ -108,7 +324,7 @@ Fixture Calendar::at(std::uint64_t index) const {
 }
 
 std::optional<std::size_t> team_meant(const TournamentPlan& plan, const std::string& path) {
-  const std::string first = path.substr(0, path.find('.'));
+  const std::string_view first = first_part(path);
   if (first.size() != 1 || first[0] < 'a' || first[0] > 'z') return std::nullopt;
   const auto team = static_cast<std::size_t>(first[0] - 'a');
   return team < plan.asked.teams.size() ? std::optional(team) : std::nullopt;
@@ -155,12 +371,9 @@ campaign::Job job(const TournamentPlan& plan, const Fixture& fixture) {
 
 std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan) {
   const Calendar calendar(plan);
-  std::vector<campaign::Store::Fixture> out(calendar.fixtures());
-  for (std::size_t number = 0; number < out.size(); ++number) {
-    campaign::Store::Fixture& each = out[number];
-    each.job = job(plan, calendar.of_number(number));
-    each.key = campaign::fixture_key(each.job.home_inputs, each.job.away_inputs, each.job.common_inputs);
-  }
+  std::vector<campaign::Store::Fixture> out;
+  for (std::size_t number = 0; number < calendar.fixtures(); ++number)
+    out.push_back(fixture_of(job(plan, calendar.of_number(number))));
   return out;
 }
 
@@ -185,24 +398,35 @@ TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs) {
         "it has a sequential test, whose error rates hold for the number of pairs that was fixed before the first "
         "match");
   }
-  if (pairs == plan.pairs()) return plan;
-  if (pairs < plan.pairs()) throw std::invalid_argument(fmt::format("it has {} pairs already", plan.pairs()));
+  const std::uint64_t before = plan.pairs_to_its_end();
+  if (pairs == before && !plan.ended_after) return plan;
+  if (pairs <= before) throw std::invalid_argument(fmt::format("it has {} pairs already", before));
   if (pairs > most_pairs) throw std::invalid_argument(fmt::format("at most {} pairs can be played", most_pairs));
-  plan.pairs_before += fmt::format("{}{}", plan.pairs_before.empty() ? "" : ", ", plan.pairs());
+  plan.ended_after = before;
+  plan = without_end(std::move(plan));
   plan.asked.pairs = static_cast<int>(pairs);
   return plan;
 }
 
-std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_study, tournament_plan_version, plan); }
+TournamentPlan without_end(TournamentPlan plan) {
+  if (!plan.ended_after) return plan;
+  if (!plan.asked.test)
+    plan.pairs_before += fmt::format("{}{}", plan.pairs_before.empty() ? "" : ", ", *plan.ended_after);
+  plan.ended_after.reset();
+  return plan;
+}
+
+config::Node until_the_clock(const config::Node& document) {
+  if (document["pairs"] || document["test"]) return document;
+  const config::Location where{"--until or --minutes", 0, 0};
+  return config::with(document, "pairs", config::Node::scalar(std::to_string(most_pairs), false, where), where);
+}
+
+std::string to_json(const TournamentPlan& plan) { return plan_text(tournament_study, plan); }
 
 TournamentPlan tournament_plan_from_json(const std::string& text) {
-  return read_plan(text, tournament_study, tournament_plan_version, tournament_of_version_1, [](const PlanJson& json) {
-    TournamentPlan plan;
-    read(json, plan);
-    config::Mistakes first = mistakes_of_a_plan();
-    plan.asked = config::read_document<config::Tournament>(document_of(json), first);
+  return read_plan<TournamentPlan>(text, tournament_study, tournament_of_version_1, [](const TournamentPlan& plan) {
     if (plan.teams.size() != plan.asked.teams.size() || !sound(plan)) throw std::out_of_range("what no tournament has");
-    return plan;
   });
 }
 
@@ -223,6 +447,17 @@ std::vector<std::string> differences(const TournamentPlan& before, const Tournam
   for (const std::string& each : campaign::differences(inputs(before), inputs(now))) out.push_back(each);
   if (out.empty() && inputs(before) != inputs(now)) out.push_back("the openings come in another order");
   return out;
+}
+
+PlannedTournament planned_tournament(const config::Node& document, const std::vector<std::string>& plugins,
+                                     const plugin::Catalogue& catalogue) {
+  config::Mistakes first(config::Mistakes::After::stop);
+  return TournamentPlanner(document, plugins, catalogue, first).planned();
+}
+
+void check_tournament(const config::Node& document, const std::vector<std::string>& plugins,
+                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  mistakes.attempt("", [&] { TournamentPlanner(document, plugins, catalogue, mistakes).planned(); });
 }
 
 }  // namespace regista::study

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A tournament as it was fixed before its first match: who plays, in which order, from which scenes, and which test
-// decides. From it and the results in order everything that is said about the tournament follows.
+// The plan of a tournament: teams, order of matches, scenes and the deciding test. The plan is fixed before the first
+// match. The plan and the results in their order determine all findings.
 //
-// Order: pair after pair; in each, every pairing; in each of these, the match with its first team at home, then the
-// same with the sides swapped. The two share seed and opening; so do all pairings of a pair, as common random numbers.
-// Without a test, pair k plays the k-th opening, again from the front after the last. With one, its opening is drawn by
-// its seed: a test that may stop at any pair must not have seen the scenes in an order that somebody chose.
+// The order of matches, from the outer to the inner loop, is: pairs, pairings, and the two matches of a pairing. The
+// pairing's first team is at home in the first match; the second match is the same with the sides swapped. All matches
+// of pair k have the same seed and opening, in all pairings (common random numbers). Without a test, pair k plays
+// opening k modulo the number of openings. With a test, drawn_opening() selects the opening.
 #pragma once
 
 #include <cstddef>
@@ -16,18 +16,20 @@
 #include <variant>
 #include <vector>
 
-#include "campaign/input.hpp"
+#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
-#include "campaign/options.hpp"
+#include "campaign/match_inputs.hpp"
 #include "campaign/store.hpp"
+#include "config/errors.hpp"
+#include "config/node.hpp"
 #include "config/tournament.hpp"
+#include "plugin/catalogue.hpp"
 #include "statistics/sequential_test.hpp"
-#include "study/opening.hpp"
 #include "study/settings.hpp"
 
 namespace regista::study {
 
-// No test: what is said holds for a number of pairs that was fixed beforehand.
+// No sequential test. The findings hold for the number of pairs that was fixed beforehand.
 struct FixedNumber {};
 
 // The generalised sequential probability ratio test on the scores of pairs.
@@ -35,7 +37,7 @@ struct ScoreTest {
   statistics::SequentialDesign design;
 };
 
-// A sequential test on the difference of a value between the two teams, by betting. Two-sided, against no difference.
+// A sequential, two-sided test by betting on the difference of a value between the two teams.
 struct ValueTest {
   std::string value;  // "goals", or the path of a metric
   double alpha = 0.05;
@@ -46,100 +48,124 @@ Objective objective_of(const config::Tournament& asked);
 
 inline constexpr const char* goals_value = "goals";
 
-// What was found of a team.
+// A team, with the facts that the program found when it made the plan.
 struct Entrant {
   std::string label;
-  std::vector<campaign::Input> inputs;  // campaign::team_inputs
-  // What a disturbance of its own adds to inputs at home and away; none where it has that of all.
+  std::vector<campaign::Input> inputs;  // from campaign::team_inputs()
+  // The inputs of the team's own disturbance, at home and away; empty if the team has no disturbance of its own.
   std::vector<campaign::Input> disturbances{};
 };
 
-// Whether an input of a match is what disturbs this side: 0 home, 1 away.
+// Whether an input of a match is the disturbance of this side: 0 home, 1 away.
 bool is_disturbance(const campaign::Input& input, std::size_t side);
 
 struct Pairing {
-  std::size_t first, second;  // of the plan's teams
+  std::size_t first, second;  // indices of the plan's teams
 };
 
 struct TournamentPlan {
-  config::Tournament asked;  // files as they are seen from `folder`
+  config::Tournament asked;  // relative paths start at `folder`
 
-  std::vector<Entrant> teams;        // as asked.teams
-  std::vector<Opening> openings;     // all scenes that are asked for; none: from kick-off
-  int most_goals = 0;                // largest goal difference that a match can end with; a forfeit counts as that much
-  std::string pairs_before;          // numbers that it had before more were asked for: "100, 150"; empty: none
-  std::string folder;                // in which it was begun, absolute
+  std::vector<Entrant> teams;     // in the order of asked.teams
+  std::vector<Opening> openings;  // all scenes of the document; empty: matches start with kick-off
+  int most_goals = 0;             // largest goal difference that a match can have, also a forfeit
+  std::string pairs_before;       // values of pairs() before with_pairs() raised it: "100, 150"
+  // Set if a clock, not a result, stopped the tournament: the number of pairs that each pairing played until then.
+  std::optional<std::uint64_t> ended_after;
+  std::string folder;                // absolute path of the folder in which the tournament began
   std::vector<std::string> plugins;  // folders of --plugins
-  std::string program;               // version that began it; empty: not known
+  std::string program;               // version of the program that began the tournament; empty: unknown
   std::vector<campaign::Input> common_inputs;
 
   std::vector<Pairing> pairings() const;
-  std::uint64_t pairs() const;  // of each pairing, at most
-  std::uint64_t first_seed() const { return static_cast<std::uint64_t>(asked.seed); }
+  std::uint64_t pairs() const;  // largest number of pairs that each pairing plays
+  std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs()); }
+  bool ends_by_the_clock_alone() const;  // true if the user set neither pairs nor a test
+  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
   std::uint64_t matches() const { return 2 * pairs() * pairings().size(); }
   Objective objective() const { return objective_of(asked); }
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
-  // Whether its matches may end before whole ones would.
+  // Whether an opening or a limit may end matches earlier than whole matches.
   bool short_games() const { return !openings.empty() || asked.settings.limit; }
 };
 
 // A match of the schedule.
 struct Fixture {
-  std::size_t pairing = 0, home = 0, away = 0;  // home, away: teams
-  bool swapped = false;                         // the pairing's second team is at home
-  std::size_t opening = 0;                      // 0 where there are none
+  std::size_t pairing = 0, home = 0, away = 0;  // home, away: indices of teams
+  bool swapped = false;                         // true if the pairing's second team is at home
+  std::size_t opening = 0;                      // 0 without openings
   std::uint64_t pair = 0;                       // from 0
   std::uint64_t seed = 0;
-  std::size_t number = 0;  // of the fixture: equal for matches that differ in the seed alone; see fixtures()
+  std::size_t number = 0;  // index into fixtures(); equal for matches that differ only in the seed
 };
 
-// The schedule: a pure function of the plan, looked at in constant time.
+// The schedule of matches, which depends only on the plan. Each member function takes constant time.
 class Calendar {
  public:
   explicit Calendar(const TournamentPlan& plan);
   Fixture at(std::uint64_t index) const;
   std::uint64_t matches() const { return 2 * pairs_ * pairings_.size(); }
   std::span<const Pairing> pairings() const { return pairings_; }
-  // Any match of a fixture's number; its seed and pair are 0.
+  // The fixture with this Fixture::number, with seed 0 and pair 0.
   Fixture of_number(std::size_t number) const;
   std::size_t fixtures() const { return 2 * pairings_.size() * openings_; }
 
  private:
   std::vector<Pairing> pairings_;
   std::size_t openings_;
-  bool drawn_;  // openings are
+  bool drawn_;  // drawn_opening() selects the openings
   std::uint64_t pairs_, first_seed_;
 };
 
-// The team that a path of the study's `set` is for alone, by the letter that it begins with; nothing: it is for all.
+// The team whose letter() is the first key of a path of the study's `set`; nullopt: the path is for all teams.
 std::optional<std::size_t> team_meant(const TournamentPlan& plan, const std::string& path);
 
-// The values that are laid over the documents of a fixture's match.
+// The settings of the study that replace values in the documents of a fixture's match.
 config::Overrides settings_of(const TournamentPlan& plan, const Fixture& fixture);
 
-// The match that a fixture means, as `regista match` plays it.
+// The job of a fixture's match. `regista match` plays the same job.
 campaign::Job job(const TournamentPlan& plan, const Fixture& fixture);
 
-// Every fixture of the plan, by number, with its key.
+// All fixtures of the plan with their keys, in the order of Fixture::number.
 std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan);
 
-// How the paths of --set name a team: "a" for the first, "b", ... "z"; empty for those beyond.
+// The letter of a team in the paths of --set: "a" for the first team, "b", ... "z"; empty for later teams.
 std::string letter(std::size_t team);
 
-// Both teams are the same to the last byte, so every pair is a draw by construction.
+// Whether both teams have the same inputs, byte by byte. Every pair of such teams is a draw.
 bool equal_teams(const TournamentPlan& plan, const Pairing& pairing);
 
 inline constexpr std::uint64_t most_pairs = 10'000'000;
 
-// The same with more pairs of matches, which come after those there were. Throws std::invalid_argument, one line, where
-// that may not be: fewer than before, or under a sequential test, whose error rates hold for the number that was fixed.
+// A copy of the plan with more pairs. Throws std::invalid_argument if `pairs` is below the plan's number. Throws
+// std::invalid_argument also for a sequential test, because the test's error rates hold only for the planned number.
 TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs);
 
-// JSON; reading throws std::invalid_argument for what writing did not make.
+// A copy of the plan without `ended_after`: a study that a clock stopped continues until all pairs are played.
+TournamentPlan without_end(TournamentPlan plan);
+
+// The document; without pairs and test, it gets most_pairs pairs, so that only the clock ends the tournament.
+config::Node until_the_clock(const config::Node& document);
+
+// Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.
 std::string to_json(const TournamentPlan& plan);
 TournamentPlan tournament_plan_from_json(const std::string& text);
 
-// What differs between the plan of a file and the one that is asked for, in words; nothing when they are the same.
+// The differences between the plan of a file and the new plan, in words; empty if the plans are equal.
 std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now);
+
+struct PlannedTournament {
+  TournamentPlan plan;
+  std::vector<std::string> documents;  // resolved documents of the teams, which the plan's hashes identify
+};
+
+// Makes the plan of a document. Reads and checks everything before the first match. plugins: folders of the catalogue.
+// Throws config::BadInput, and config::Error at the place of the mistake.
+PlannedTournament planned_tournament(const config::Node& document, const std::vector<std::string>& plugins,
+                                     const plugin::Catalogue& catalogue);
+
+// Tests whether a document can be planned. Adds every mistake in teams and scenes to `mistakes`.
+void check_tournament(const config::Node& document, const std::vector<std::string>& plugins,
+                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

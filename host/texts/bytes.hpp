@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes and back, between processes of this program on this machine: numbers as they lie in memory, texts and
-// lists with their length before them. One function a type, `visit(archive, value)`, says both directions.
+// Converts values to bytes and back, for exchange between processes of this program on one machine. The bytes of a
+// number are its bytes in memory. The length of a text or list precedes the content. One function `visit(archive,
+// value)` for each type serves both directions.
 //
 //   template <class Archive> void visit(Archive& archive, Pose& pose) { archive(pose.x, pose.y, pose.heading); }
 #pragma once
@@ -16,13 +17,14 @@
 
 namespace regista::texts {
 
-// Values that are copied as they are.
+// Types whose values are copied byte by byte.
 template <class T>
 concept PlainNumber = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
-// Appends to memory that grows to what is needed and is then used again.
+// Writes values as bytes into memory that grows as needed and is reused.
 class BytesOut {
  public:
+  static constexpr bool reads = false;
   void clear() { bytes_.clear(); }
   std::span<const std::uint8_t> bytes() const { return bytes_; }
 
@@ -42,7 +44,7 @@ class BytesOut {
     if constexpr (PlainNumber<std::remove_const_t<T>>) {
       raw(&value, sizeof value);
     } else {
-      // A visit takes what it may fill; this archive only reads.
+      // visit() takes a mutable value, because readers fill it; this archive only reads the value.
       visit(*this, const_cast<std::remove_const_t<T>&>(value));
     }
   }
@@ -52,6 +54,7 @@ class BytesOut {
 // Reads what BytesOut wrote. Throws std::out_of_range at the end of the bytes.
 class BytesIn {
  public:
+  static constexpr bool reads = true;
   explicit BytesIn(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
   bool empty() const { return rest_.empty(); }
 
@@ -70,7 +73,7 @@ class BytesIn {
   template <class T>
   void take(T& value) {
     if constexpr (std::is_same_v<T, bool>) {
-      value = raw(1).front() != 0;  // the other side may have written anything
+      value = raw(1).front() != 0;  // the other side may have written any byte
     } else if constexpr (PlainNumber<T>) {
       std::memcpy(&value, raw(sizeof value).data(), sizeof value);
     } else {
@@ -80,44 +83,33 @@ class BytesIn {
   std::span<const std::uint8_t> rest_;
 };
 
-inline void visit(BytesOut& archive, std::string& text) {
-  const auto size = static_cast<std::uint32_t>(text.size());
+template <class Archive>
+void visit(Archive& archive, std::string& text) {
+  auto size = static_cast<std::uint32_t>(text.size());
   archive(size);
-  archive.raw(text.data(), text.size());
-}
-inline void visit(BytesIn& archive, std::string& text) {
-  std::uint32_t size = 0;
-  archive(size);
-  const auto bytes = archive.raw(size);
-  text.assign(bytes.begin(), bytes.end());
-}
-
-template <class T>
-void visit(BytesOut& archive, std::vector<T>& list) {
-  const auto size = static_cast<std::uint32_t>(list.size());
-  archive(size);
-  for (T& each : list) archive(each);
-}
-template <class T>
-void visit(BytesIn& archive, std::vector<T>& list) {
-  std::uint32_t size = 0;
-  archive(size);
-  list.clear();
-  for (std::uint32_t i = 0; i < size; ++i) archive(list.emplace_back());
+  if constexpr (Archive::reads) {
+    const auto bytes = archive.raw(size);
+    text.assign(bytes.begin(), bytes.end());
+  } else {
+    archive.raw(text.data(), text.size());
+  }
 }
 
-template <class T>
-void visit(BytesOut& archive, std::optional<T>& value) {
-  const bool has = value.has_value();
+template <class Archive, class T>
+void visit(Archive& archive, std::vector<T>& list) {
+  auto size = static_cast<std::uint32_t>(list.size());
+  archive(size);
+  if constexpr (Archive::reads) list.clear();
+  for (std::uint32_t i = 0; i < size; ++i) archive(Archive::reads ? list.emplace_back() : list[i]);
+}
+
+template <class Archive, class T>
+void visit(Archive& archive, std::optional<T>& value) {
+  bool has = value.has_value();
   archive(has);
+  if (Archive::reads && has) value.emplace();
+  if (Archive::reads && !has) value.reset();
   if (has) archive(*value);
-}
-template <class T>
-void visit(BytesIn& archive, std::optional<T>& value) {
-  bool has = false;
-  archive(has);
-  value.reset();
-  if (has) archive(value.emplace());
 }
 
 }  // namespace regista::texts

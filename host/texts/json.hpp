@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// nlohmann::json and ordered_json for all rooms. Parser, writer and the values' own functions are compiled once, in
-// json.cpp and ordered_json.cpp: a file that includes <nlohmann/json.hpp> itself pays two seconds of the compiler for
-// them.
+// nlohmann::json and ordered_json for all folders of host/. Only json.cpp compiles the parser, the writer and the
+// functions of values. A file that includes <nlohmann/json.hpp> directly costs the compiler two more seconds.
 #pragma once
 
 #include <nlohmann/json.hpp>
+
 #include <string>
 
 namespace regista::texts::json {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writes JSON text straight into memory that is reused: a recording writes ten million numbers a match, and a tree of
-// values for each message would cost more than the match. Numbers are rounded to a fixed number of decimals.
+// Writes JSON text directly into reused memory. A recording writes ten million numbers a match, and a tree of values
+// for each message would take more time than the match. Numbers are rounded to a fixed number of decimals.
 #pragma once
 
 #include <charconv>
@@ -12,7 +12,7 @@
 
 namespace regista::texts {
 
-// Keys and words are names of this program: nothing in them needs to be escaped. Texts may hold any UTF-8.
+// Writes JSON. key() and word() take names of this program, which need no escapes. string() takes any UTF-8.
 class JsonText {
  public:
   JsonText() : memory_(4096), end_(memory_.data()) {}
@@ -46,10 +46,8 @@ class JsonText {
   }
 
   JsonText& key(std::string_view name) {
-    begin_value(name.size() + 4);
-    *end_++ = '"';
-    put(name);
-    *end_++ = '"';
+    word(name);
+    make_room(1);
     *end_++ = ':';
     first_ = true;
     return *this;
@@ -68,7 +66,7 @@ class JsonText {
   }
   JsonText& null() { return json("null"); }
   JsonText& boolean(bool value) { return json(value ? "true" : "false"); }
-  // A value that is JSON already.
+  // Adds a value whose text is already JSON.
   JsonText& json(std::string_view text) {
     begin_value(text.size() + 1);
     put(text);
@@ -86,7 +84,7 @@ class JsonText {
     end_ = std::to_chars(end_, end_ + 24, value).ptr;
     return *this;
   }
-  // With so many decimals, 1 to 6, without trailing zeros; null where the value is not finite.
+  // Adds a number with `decimals` decimals, 1 to 6, without trailing zeros; null if the value is not finite.
   JsonText& number(double value, int decimals = 3) {
     constexpr double powers[] = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
     if (!(std::abs(value) < 1e9)) return std::isfinite(value) ? shortest(value) : null();
@@ -112,7 +110,7 @@ class JsonText {
     put({first, static_cast<std::size_t>(digits + sizeof digits - first)});
     return *this;
   }
-  // Of a size that nobody knows beforehand: with `decimals`, but never fewer than five digits.
+  // Adds a number of unknown size: five significant digits below 0.1, otherwise `decimals` decimals.
   JsonText& quantity(double value, int decimals) {
     const double size = std::abs(value);
     return size > 0.0 && size < 0.1 ? shortest(value) : number(value, decimals);

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "rolling_ball.hpp"
+#include "approach.hpp"
 #include "situation.hpp"
 
 namespace behaviours {

@@ -17,7 +17,6 @@
 #include <utility>
 
 #include "kick_choice.hpp"
-#include "plane.hpp"
 #include "situation.hpp"
 
 namespace behaviours {

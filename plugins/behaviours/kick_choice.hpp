@@ -10,7 +10,6 @@
 #include <optional>
 #include <span>
 
-#include "plane.hpp"
 #include "situation.hpp"
 
 namespace behaviours {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <variant>
 
-#include "plane.hpp"
+#include "situation.hpp"
 
 namespace behaviours {
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Being where the team wants the robot: walks to the place of its task, legally, in the open where it
-// offers a lane for a pass, and receives a ball that comes along.
+// A robot without the ball. Being where the team wants it: walks to the place of its task, legally, in the open where
+// it offers a lane for a pass, and receives a ball that comes along.
 #pragma once
 
+#include <cmath>
+
+#include "approach.hpp"
 #include "edge_path.hpp"
-#include "interception.hpp"
 #include "lane.hpp"
 #include "legal_place.hpp"
 #include "movement.hpp"
 #include "situation.hpp"
-#include "spread.hpp"
 
 namespace behaviours {
 
@@ -47,6 +48,22 @@ inline Movement support(const Situation& situation, const SupportSettings& setti
     target = {next.x(), next.y(), target.heading};
   }
   return WalkTo{.target = target};
+}
+
+// --- Looking for the ball: walks to the place of the task and turns about there; without a task, where it stands.
+
+struct SearchSettings {
+  double at_target = 0.5;            // m
+  double turn_rate = 0.6;            // rad/s: slow enough for the camera
+  double search_turn_seconds = 0.0;  // s in which a search begins with a look about where the robot stands
+};
+
+inline Movement search(const Situation& situation, const SearchSettings& settings, const LegalPlaceSettings& legal) {
+  const Pose target = legal_place(situation, legal, situation.target);
+  const double distance = std::hypot(target.x - situation.pose.x, target.y - situation.pose.y);
+  if (situation.has_task && distance > settings.at_target) return WalkTo{.target = target};
+  // Neighbours turn in opposite directions, so that together they see more.
+  return Turn{situation.facts.own_number % 2 == 0 ? settings.turn_rate : -settings.turn_rate};
 }
 
 }  // namespace behaviours

@@ -3,6 +3,7 @@
 # plugin interface, <regista/abi.h>; another one than the program's is not found.
 #
 #   regista::sdk            the headers <regista/...>
+#   regista::algorithms     what shipped assigners and utilities compute: <plugins/assigners/scram/algorithm.hpp>
 #   regista::testkit        the contract suites for tests, compiled in the author's build (needs GoogleTest and C++).
 #                           It takes the flags that are set before find_package(regista)
 #   regista_add_plugin()    builds a shared object that the host accepts; see RegistaAddPlugin.cmake

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What sanitizers leave out is decided, not forgotten: each test of tests/left_out_with_sanitizers.txt stands in
-docs/decisions.md, by its name in quotes of code.
+"""What scripts/check leaves out is decided, not forgotten: each test of tests/left_out.txt stands in docs/decisions.md, by
+its name in quotes of code.
 
     check_left_out.py PROJECT
 """
@@ -20,9 +20,9 @@ def undecided(listed, decisions):
 
 def main(root):
     root = pathlib.Path(root)
-    wrong = undecided((root / "tests/left_out_with_sanitizers.txt").read_text(), (root / "docs/decisions.md").read_text())
+    wrong = undecided((root / "tests/left_out.txt").read_text(), (root / "docs/decisions.md").read_text())
     for name in wrong:
-        print(f"tests/left_out_with_sanitizers.txt: {name} has no line in docs/decisions.md")
+        print(f"tests/left_out.txt: {name} has no line in docs/decisions.md")
     return 1 if wrong else 0
 
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Holds the arrows between the rooms: reads every #include and every link line of sdk/, host/ and plugins/.
+"""Holds the arrows between the rooms: reads every #include and every link line of sdk/, host/, plugins/ and
+league/.
 
     check_rooms.py ROOT
 
@@ -12,8 +13,8 @@ import re
 import sys
 from pathlib import Path
 
-from rooms import (C_HEADERS, CHECKS_PLUGINS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS, PLUGINS_KNOW,
-                   SHARED_BY_A_KIND, TESTKIT)
+from rooms import (C_HEADERS, CHECKS_PLUGINS, CONFINED, HOST_SEES_EXTENSIONS, HOST_SEES_OF_SDK, KNOWS, LEAGUE_KNOWS,
+                   PLUGINS_KNOW, SHARED_BY_A_KIND, TESTKIT)
 
 SOURCES = {".h", ".hpp", ".hh", ".c", ".cc", ".cpp", ".inl", ".ipp", ".in"}
 TEST = re.compile(r"(test|test_.*|tests|.*_test|.*_benchmark|benchmark.*)\.[a-z]+$")
@@ -25,12 +26,12 @@ NOT_A_LINK = {"add_test", "set_tests_properties", "gtest_discover_tests", "messa
 
 
 def room_of(path):
-    """The part of the house that a file stands in: a room of host/, "sdk", plugins/<kind>/<name>, or plugins/<kind> for
-    what the plugins of a kind share; None elsewhere."""
+    """The part of the house that a file is in: a room of host/, "sdk", plugins/<kind>/<name> or league/<kind>/<name>, or
+    plugins/<kind> for what the plugins of a kind share; None elsewhere."""
     parts = path.split("/")
     if parts[0] == "host" and len(parts) > 2:
         return parts[1]
-    if parts[0] == "plugins" and len(parts) > 2:
+    if parts[0] in ("plugins", "league") and len(parts) > 2:
         return "/".join(parts[:min(3, len(parts) - 1)])
     return "sdk" if parts[0] == "sdk" else None
 
@@ -60,7 +61,7 @@ def destination(root, path, target, quoted):
     first = target.split("/")[0]
     if first in KNOWS and "/" in target:
         return "host/" + target
-    if first in ("host", "plugins", "sdk") and "/" in target:
+    if first in ("host", "plugins", "league", "sdk") and "/" in target:
         return target
     if first == "regista":
         return "sdk/include/" + target
@@ -100,13 +101,14 @@ def stranger(root, path, target, quoted):
             return None if known else f"more of sdk than {HOST_SEES_OF_SDK} and {HOST_SEES_EXTENSIONS}"
         other = room_of(found)
         return None if other == room or other in KNOWS[room] else other or posixpath.dirname(found)
-    if path.startswith("plugins/"):
+    if path.startswith(("plugins/", "league/")):
         if found is None:
             return "it by quotes, which are for its own files" if quoted else None
         kind = "/".join(room.split("/")[:2])
         other = room_of(found)
         own = found.startswith("sdk/include/regista/") or other in (room, kind) or other in PLUGINS_KNOW.get(room, ()) or (
-            other in SHARED_BY_A_KIND and other.startswith(kind + "/"))
+            other in SHARED_BY_A_KIND and other.startswith(kind + "/")) or (
+            path.startswith("league/") and not quoted and found.startswith(LEAGUE_KNOWS))
         return None if own else room_of(found) or posixpath.dirname(found)
     # sdk: author's headers know the standard library and each other; the testkit also GoogleTest and what it likes
     # from outside of the tree.
@@ -143,7 +145,7 @@ def linked(path, text):
 
 def violations(root):
     root = Path(root)
-    for file in sorted(f for part in ("sdk", "host", "plugins") for f in (root / part).rglob("*") if f.is_file()):
+    for file in sorted(f for part in ("sdk", "host", "plugins", "league") for f in (root / part).rglob("*") if f.is_file()):
         path = file.relative_to(root).as_posix()
         if TEST.match(file.name) or "/test/" in path or "/tests/" in path:
             continue

@@ -38,17 +38,13 @@ HOST_SEES_EXTENSIONS = "regista/extensions/"
 # What plugins may include beside their own folder and what their kind shares: a published system often is another one with
 # something added.
 PLUGINS_KNOW = {
-    "plugins/assigners/b_human": {"plugins/assigners/scram"},
-    "plugins/assigners/delayed_greedy": {"plugins/assigners/greedy"},
-    "plugins/assigners/nao_devils": {"plugins/assigners/scram"},
-    "plugins/assigners/negotiation": {"plugins/assigners/static_partition"},
-    "plugins/assigners/precedence_auction": {"plugins/assigners/distributed_auction"},
-    "plugins/assigners/role_exchange": {"plugins/assigners/hungarian"},
-    "plugins/assigners/scram_vote": {"plugins/assigners/scram"},
-    "plugins/utilities/effort_to_pose": {"plugins/utilities/inverse_distance"},
+    "league/assigners/negotiation": {"league/assigners/static_partition"},
+    "league/assigners/precedence_auction": {"league/assigners/distributed_auction"},
 }
 # Folders that are no plugin, and are shared by those of their kind.
-SHARED_BY_A_KIND = {"plugins/assigners/negotiation"}
+SHARED_BY_A_KIND = {"league/assigners/negotiation"}
+# What an installation has of the plugins' headers: the target regista::algorithms.
+LEAGUE_KNOWS = ("plugins/assigners/", "plugins/utilities/")
 
 # The room that checks plugins plays the testkit's checks, which know nothing of the host.
 CHECKS_PLUGINS, TESTKIT = "check", "regista/testkit/"
@@ -71,8 +67,12 @@ CONFINED = [
     Library("CGAL", "plugins/positioners/voronoi/", ("CGAL/",), ("CGAL", "CGAL::CGAL")),
     Library("nlopt", "host/study/", ("nlopt.h", "nlopt.hpp"), ("nlopt", "nlopt_cxx", "NLopt", "NLopt::nlopt",
                                                                 "NLopt::nlopt_cxx")),
+    Library("csv", "host/study/", ("csv.h",), ("csv",), sources_only=True),
+    Library("utf8proc", "host/study/", ("utf8proc.h",), ("utf8proc",), sources_only=True),
     Library("zstd", "host/mcap/", ("zstd.h", "zstd_errors.h", "zdict.h"),
             ("zstd", "zstd::libzstd", "zstd::libzstd_shared", "zstd::libzstd_static"), sources_only=True),
+    Library("LZ4", "host/mcap/", ("lz4.h", "lz4frame.h", "lz4hc.h", "lz4file.h", "lz4frame_static.h"),
+            ("lz4", "${LZ4_LIBRARY}", "LZ4::lz4"), sources_only=True),
     Library("yaml-cpp", "host/config/", ("yaml-cpp/",), ("yaml-cpp", "yaml-cpp::yaml-cpp"), sources_only=True),
     Library("sqlite", "host/campaign/", ("sqlite3.h", "sqlite3ext.h", "SQLiteCpp/"),
             ("sqlite3", "SQLiteCpp", "SQLite3", "SQLite::SQLite3"), sources_only=True),

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import check_left_out
 import check_licences
+import check_paths
 import check_rooms
+import check_sizes
 import exported_symbols
 
 GOOD = {
@@ -23,16 +25,16 @@ GOOD = {
     "host/plugin/loader.cpp": "#include <regista/abi.h>\n#include \"config/node.hpp\"\n",
     "host/mind/mind.hpp": "#include \"plugin/loader.hpp\"\n#include \"config/node.hpp\"\n",
     "host/mind/world/fusion.cpp": "#include \"fusion.hpp\"\n#include \"../mind.hpp\"\n",
-    "host/match/arena.cpp": "#include <box2d/box2d.h>\n#include \"mind/mind.hpp\"\n#include \"plugin/loader.hpp\"\n",
+    "host/match/physics_world.cpp": "#include <box2d/box2d.h>\n#include \"mind/mind.hpp\"\n#include \"plugin/loader.hpp\"\n",
     "host/match/CMakeLists.txt": "regista_room(match SOURCES arena.cpp LINKS regista_mind box2d::box2d)\n",
     "host/statistics/elo.hpp": "#include <cmath>\n",
     "host/mcap/writer.cpp": "#include <zstd.h>\n",
     "host/mcap/CMakeLists.txt": "regista_room(mcap SOURCES writer.cpp LINKS zstd::libzstd_shared)\n",
-    "host/campaign/store.cpp": "#include <sqlite3.h>\n#include \"match/arena.hpp\"\n#include \"statistics/elo.hpp\"\n",
+    "host/campaign/store.cpp": "#include <sqlite3.h>\n#include \"match/physics_world.hpp\"\n#include \"statistics/elo.hpp\"\n",
     "host/study/tuner.cpp": "#include <nlopt.hpp>\n#include \"campaign/store.hpp\"\n",
     "host/texts/html.cpp": "#include <string>\n",
     "host/recording/writer.cpp":
-        "#include \"mcap/writer.hpp\"\n#include \"mind/mind.hpp\"\n#include \"match/arena.hpp\"\n",
+        "#include \"mcap/writer.hpp\"\n#include \"mind/mind.hpp\"\n#include \"match/physics_world.hpp\"\n",
     "host/report/page.cpp": "#include \"campaign/store.hpp\"\n#include \"recording/writer.hpp\"\n",
     "host/output/files.cpp": "#include \"report/page.hpp\"\n#include \"config/node.hpp\"\n",
     "host/command/command.cpp": "#include <CLI/CLI.hpp>\n#include \"output/files.hpp\"\n",
@@ -40,11 +42,11 @@ GOOD = {
     "plugins/positioners/voronoi/plugin.cpp":
         "#include <CGAL/Delaunay.h>\n#include <regista/positioner.hpp>\n#include \"algorithm.hpp\"\n",
     "plugins/positioners/voronoi/algorithm.hpp": "#include <vector>\n#include <Eigen/Core>\n",
-    "plugins/positioners/voronoi/test.cpp": "#include \"match/arena.hpp\"\n#include <box2d/box2d.h>\n",
+    "plugins/positioners/voronoi/test.cpp": "#include \"match/physics_world.hpp\"\n#include <box2d/box2d.h>\n",
     "plugins/positioners/voronoi/CMakeLists.txt":
         "regista_add_plugin(voronoi SOURCES plugin.cpp LINKS CGAL::CGAL TEST test.cpp)\n"
         "target_link_libraries(test_voronoi PRIVATE regista_match)\n",
-    "tests/unit/mind/test.cpp": "#include \"match/arena.hpp\"\n",
+    "tests/unit/mind/test.cpp": "#include \"match/physics_world.hpp\"\n",
 }
 
 # (file, its text, what is reported of it)
@@ -56,7 +58,7 @@ BAD_ROOMS = [
      "1: includes study/tuner.hpp; room command may not know study"),
     ("host/report/bad.cpp", "#include <CLI/App.hpp>", "1: includes CLI/App.hpp; room report may not know CLI11"),
     ("host/output/bad.cpp", '#include "cli/match.hpp"', "1: includes cli/match.hpp; room output may not know cli"),
-    ("host/config/bad.cpp", '#include "match/arena.hpp"', "1: includes match/arena.hpp; room config may not know match"),
+    ("host/config/bad.cpp", '#include "match/physics_world.hpp"', "1: includes match/physics_world.hpp; room config may not know match"),
     ("host/config/bad.cpp", "\n#include <mind/mind.hpp>", "2: includes mind/mind.hpp; room config may not know mind"),
     ("host/config/bad.cpp", "#include <regista/abi.h>", "1: includes regista/abi.h; room config may not know sdk"),
     ("host/config/bad.cpp", '#include "statistics/elo.hpp"',
@@ -67,17 +69,20 @@ BAD_ROOMS = [
      "1: includes config/node.hpp; room statistics may not know config"),
     ("host/mcap/bad.cpp", '#include "config/node.hpp"', "1: includes config/node.hpp; room mcap may not know config"),
     ("host/mcap/bad.hpp", "#include <zstd.h>", "1: includes zstd.h; room mcap may not know zstd outside of .cpp files"),
+    ("host/mcap/bad.hpp", "#include <lz4frame.h>",
+     "1: includes lz4frame.h; room mcap may not know LZ4 outside of .cpp files"),
     ("host/match/bad.cpp", '#include "mcap/writer.hpp"', "1: includes mcap/writer.hpp; room match may not know mcap"),
     ("host/report/bad.cpp", "#include <zstd.h>", "1: includes zstd.h; room report may not know zstd"),
+    ("host/recording/bad.cpp", "#include <lz4frame.h>", "1: includes lz4frame.h; room recording may not know LZ4"),
     ("host/plugin/bad.cpp", '#include "mind/mind.hpp"', "1: includes mind/mind.hpp; room plugin may not know mind"),
     ("host/plugin/bad.cpp", "#include <regista/plugin.hpp>",
      "1: includes regista/plugin.hpp; room plugin may not know more of sdk than regista/abi.h and regista/extensions/"),
     ("host/plugin/bad.cpp", '#include "../../plugins/positioners/voronoi/algorithm.hpp"',
      "1: includes ../../plugins/positioners/voronoi/algorithm.hpp; "
      "room plugin may not know plugins/positioners/voronoi"),
-    ("host/mind/bad.hpp", '#include "match/arena.hpp"', "1: includes match/arena.hpp; room mind may not know match"),
-    ("host/mind/world/bad.cpp", '#include "../../match/arena.cpp"',
-     "1: includes ../../match/arena.cpp; room mind may not know match"),
+    ("host/mind/bad.hpp", '#include "match/physics_world.hpp"', "1: includes match/physics_world.hpp; room mind may not know match"),
+    ("host/mind/world/bad.cpp", '#include "../../match/physics_world.cpp"',
+     "1: includes ../../match/physics_world.cpp; room mind may not know match"),
     ("host/mind/bad.cpp", "#include <box2d/box2d.h>", "1: includes box2d/box2d.h; room mind may not know box2d"),
     ("host/mind/bad.cpp", "#include <yaml-cpp/yaml.h>", "1: includes yaml-cpp/yaml.h; room mind may not know yaml-cpp"),
     ("host/mind/bad.cpp", "#include <CGAL/Kernel.h>", "1: includes CGAL/Kernel.h; room mind may not know CGAL"),
@@ -107,6 +112,11 @@ BAD_ROOMS = [
     ("plugins/senders/bad/plugin.cpp", '#include "../../positioners/voronoi/algorithm.hpp"',
      "1: includes ../../positioners/voronoi/algorithm.hpp; "
      "room plugins/senders/bad may not know plugins/positioners/voronoi"),
+    ("league/senders/bad/plugin.cpp", "#include <plugins/positioners/voronoi/algorithm.hpp>",
+     "1: includes plugins/positioners/voronoi/algorithm.hpp; "
+     "room league/senders/bad may not know plugins/positioners/voronoi"),
+    ("league/assigners/bad/plugin.cpp", '#include "../../../plugins/assigners/matrix.hpp"',
+     "1: includes ../../../plugins/assigners/matrix.hpp; room league/assigners/bad may not know plugins/assigners"),
     ("plugins/senders/bad/plugin.cpp", '#include "elsewhere.hpp"',
      "1: includes elsewhere.hpp; room plugins/senders/bad may not know it by quotes, which are for its own files"),
     ("plugins/positioners/bad/plugin.cpp", "#  include <CGAL/Delaunay.h>",
@@ -170,6 +180,34 @@ class Licences(unittest.TestCase):
                 write(root, "plugins/positioners/voronoi/good.cpp", "// SPDX-License-Identifier: GPL-3.0-or-later\n")
                 write(root, path, text)
                 self.assertEqual(list(check_licences.violations(root)), [f"{path}:{expected}"])
+
+
+class Sizes(unittest.TestCase):
+    def violations(self, files):
+        with tempfile.TemporaryDirectory() as root:
+            for path, lines in files.items():
+                write(root, path, "x\n" * lines)
+            return list(check_sizes.violations(root))
+
+    def test_every_kind_of_violation_is_reported(self):
+        self.assertEqual(self.violations({"host/config/long.cpp": 501, "host/config/most.cpp": 500}),
+                         ["host/config/long.cpp: has 501 lines; none has more than 500, but what LONGER in check_sizes.py lists"])
+        self.assertEqual(self.violations({"host/config/node.hpp": 1, "host/match/node.hpp": 1, "plugins/node.hpp": 1}),
+                         ["host/config/node.hpp: another header has its name: host/match/node.hpp"])
+        self.assertEqual(self.violations({"host/match/metric_table.cpp": 500}),
+                         ["host/match/metric_table.cpp: has at most 500 lines; take it off the list"])
+        self.assertEqual(self.violations({"host/match/metric_table.cpp": 501}), [])
+
+
+class Paths(unittest.TestCase):
+    def test_every_kind_of_violation_is_reported(self):
+        with tempfile.TemporaryDirectory() as root:
+            write(root, "host/config/node.hpp", "// As gone.hpp says.\n#include <other.hpp>  // and node.hpp\n")
+            write(root, "docs/where.md", "`host/config/node` `node.hpp` `host/none.cpp` `a/b` `tree.cpp` of `plugins/x/y`\n")
+            self.assertEqual(list(check_paths.violations(root)),
+                             [f"docs/where.md:1: names {name}, which is not there" for name in ("host/none.cpp", "tree.cpp",
+                                                                                               "plugins/x/y")] +
+                             ["host/config/node.hpp:1: names gone.hpp, which is not there"])
 
 
 class ExportedSymbols(unittest.TestCase):

@@ -18,6 +18,7 @@ matches: 4
 seed: 3
 limit: 12
 set: {{rules.durations.ready: 3, rules.durations.set: 1}}
+seeds: consecutive
 {more}"""
 PRIMARY = "primary: {measure: overlap_seconds}\n"
 

@@ -43,16 +43,16 @@ class BadInput(program.Case):
 
 class CommandLine(BadInput):
     def test_no_command(self):
-        self.assert_refused((), "which command? There are: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help; see: regista --help")
+        self.assert_refused((), "which command? There are: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, power, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help; see: regista --help")
         self.assert_refused(("plugin",), "which command? There are: list, info, new, check, reference; see: regista plugin --help")
 
     def test_unknown_command(self):
         self.assert_refused(("mtach", "a.yaml"),
-                            'unknown command "mtach" in regista; nearest: "match"; known: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
+                            'unknown command "mtach" in regista; nearest: "match"; known: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, power, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
         self.assert_refused(("plugin", "lits"),
                             'unknown command "lits" in regista plugin; nearest: "list"; known: list, info, new, check, reference')
         # Planned, not there: no nearest name that misleads.
-        self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
+        self.assert_refused(("season",), 'unknown command "season" in regista; known: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, power, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help')
 
     def test_unknown_option(self):
         self.assert_match_refused(("--sede", "3"),
@@ -106,7 +106,7 @@ class CommandLine(BadInput):
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '
-                                                  "known: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help")
+                                                  "known: match, view, tournament, experiment, tune, run, resume, report, results, gather, status, stop, power, sprt, rank, evaluate-predictor, metrics, completion, plugin, config, help")
 
 
 class BuiltInProfiles(BadInput):

@@ -98,9 +98,32 @@ class Completion(program.Case):
             os.close(terminal)
             os.waitpid(process, 0)
 
+    @unittest.skipIf(shutil.which("fish") is None, "fish is not installed")
+    def test_fish(self):
+        self.write("completion.fish", self.script("fish"))
+        environment = {**os.environ, "HOME": str(self.folder), "XDG_CONFIG_HOME": str(self.folder)}
+
+        def fish(words):
+            done = subprocess.run(["fish", "--private", "--no-config", "-c", "source completion.fish; complete -C $argv[1]", words],
+                                  cwd=self.folder, env=environment, text=True, capture_output=True, check=True)
+            self.assertEqual(done.stderr, "")
+            return {line.split("\t")[0] for line in done.stdout.splitlines()}
+
+        self.assertTrue({"match", "tournament", "help"} <= fish("regista "))
+        self.assertNotIn("play-one", fish("regista "))
+        self.assertEqual(fish("regista plugin "), {"list", "info", "new", "check", "reference"})
+        self.assertEqual(fish("regista plugin new p"), {"predictor", "positioner"})
+        self.assertEqual(fish("regista help plugin l"), {"list"})
+        self.assertEqual(fish("regista match --home"), {"--home-disturbance"})
+        self.assertEqual(fish("regista tournament --format "), {"round_robin", "gauntlet"})
+        self.assertEqual(fish("regista report t"), {"t.db"})
+        self.assertEqual(fish("regista match b"), {"b team.yaml", "bin/"})
+        self.assertEqual(fish("regista match --seed "), set())
+        self.assertEqual(fish("regista tournament --plugins s"), {"scenes/"})
+
     def test_shells_that_are_not_known(self):
-        for words, line in ((("fish",), 'unknown shell "fish"; nearest: "bash"; known: bash, zsh'),
-                            ((), "which shell? There are: bash, zsh")):
+        for words, line in ((("tcsh",), 'unknown shell "tcsh"; nearest: "bash"; known: bash, zsh, fish'),
+                            ((), "which shell? There are: bash, zsh, fish")):
             done = self.run_program("completion", *words)
             self.assertEqual((done.returncode, done.stdout, done.stderr), (2, "", f"regista: completion: {line}\n"))
 

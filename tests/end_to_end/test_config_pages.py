@@ -2,6 +2,7 @@
 """What is made from documents: copies of the shipped ones, pictures of roles, the reference."""
 
 import filecmp
+import json
 import re
 import shutil
 import unittest
@@ -46,6 +47,83 @@ class Copies(program.Case):
         self.assertIn("share/regista/configs is missing: this program was not installed as a whole", self.refused("mine"))
 
 
+class Names(program.ShippedCase):
+    """Shipped documents go by their names, wherever the program runs."""
+
+    def setUp(self):
+        super().setUp()
+        self.shipped = self.folder / "share" / "regista" / "configs"
+        shutil.copytree(program.SOURCE / "configs", self.shipped)
+
+    def hash_of(self, *words):
+        return json.loads(self.succeed("match", *words, "--limit", "20", "--json"))["state_hash"]
+
+    def refused(self, *words):
+        done = self.run_program(*words)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        return done.stderr
+
+    def test_teams_rules_and_openings(self):
+        teams = [self.shipped / "teams" / f"{name}.yaml" for name in ("paper", "fixed_rate")]
+        by_path = self.hash_of(*teams, "--opening", self.shipped / "openings/corner_crowd_left.yaml")
+        self.assertEqual(self.hash_of("paper", "fixed_rate", "--opening", "corner_crowd_left"), by_path)
+        self.assertNotEqual(self.hash_of("paper", "fixed_rate"), by_path)
+        self.write("mine.yaml", "extends: paper\nteam: mine\n")
+        self.assertEqual(self.succeed("config", "check", "mine.yaml", "hulks"), "mine.yaml: team, sound\nhulks: team, sound\n")
+        done = self.succeed("tournament", "--team", "paper", "--team", "mine.yaml", "--openings", "openings", "--pairs", "1",
+                            "--limit", "1", "--results", "r.db", "--quiet")
+        self.assertIn("mine", done)
+
+    def test_a_file_of_the_user_comes_first(self):
+        self.write("paper", "rules: paper\nfield: {length: 10}\n")
+        self.assertEqual(self.succeed("config", "check", "paper"), "paper: rules, sound\n")
+
+    def test_names_that_nothing_has(self):
+        self.assertEqual(self.refused("config", "show", "papr"), 'regista: papr: no such file; nearest: "paper"\n')
+        self.write("mine.yaml", "extends: papr\nteam: mine\n")
+        self.assertIn('no such file; nearest: "paper"', self.refused("config", "check", "mine.yaml"))
+        self.assertIn("there is no folder configs/teams; shipped documents go by their names: paper",
+                      self.refused("config", "show", "configs/teams/paper.yaml"))
+
+    def test_a_shipped_document_is_not_written_over(self):
+        file = self.shipped / "teams/paper.yaml"
+        before = file.read_bytes()
+        self.assertIn("paper.yaml", self.refused("match", "paper", "fixed_rate", "--record", file, "--force"))
+        self.assertEqual(file.read_bytes(), before)
+
+
+class Differences(program.Case):
+    def diff(self, *words):
+        done = self.run_program("config", "diff", *words)
+        self.assertEqual(done.stderr, "")
+        return done.returncode, done.stdout
+
+    def test_values_in_force(self):
+        self.write("other.yaml", "extends: small.yaml\nteammates_forgotten_after: 11\n"
+                                 "roles:\n  playing:\n    striker: {offset: false}\n")
+        self.assertEqual(self.diff("small.yaml", "small.yaml"), (0, ""))
+        status, text = self.diff("small.yaml", "other.yaml")
+        self.assertEqual(status, 1)
+        self.assertEqual(text.splitlines(), ["roles.playing.striker.offset: true | false", "teammates_forgotten_after: 25 | 11"])
+        found = json.loads(self.diff("small.yaml", "other.yaml", "--json")[1])
+        self.assertEqual(found[1], {"path": "teammates_forgotten_after", "first": "25", "second": "11"})
+        # Each path is one that --set takes.
+        for each in found:
+            self.succeed("config", "show", "small.yaml", "--set", f"{each['path']}={each['second']}")
+
+    def test_a_role_of_one_document_alone(self):
+        self.write("fewer.yaml", "extends: small.yaml\nroles:\n  playing:\n    supporter: ~\n")
+        status, text = self.diff("small.yaml", "fewer.yaml")
+        self.assertEqual(status, 1)
+        self.assertRegex(text, r"^roles\.playing\.supporter: \{name: supporter, .*\} \| -\n$")
+
+    def test_documents_of_two_kinds(self):
+        self.write("rules.yaml", "rules: mine\n")
+        done = self.run_program("config", "diff", "small.yaml", "rules.yaml")
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, "regista: config diff: small.yaml is of the kind team, and rules.yaml is of the kind rules\n"))
+
+
 class Drawings(program.Case):
     def texts(self, *words):
         picture = xml.etree.ElementTree.fromstring(self.succeed("config", "draw", "small.yaml", "-o", "-", *words))
@@ -59,7 +137,7 @@ class Drawings(program.Case):
 
     def test_a_context_draws_the_targets_that_it_changes(self):
         self.write("corner.yaml", "extends: small.yaml\ncontexts:\n  corner: {before: playing, priority: 9, plugin: set_play,\n"
-                                  "    use: {targets: {supporter: {at: [2, 0], across: -1}}}}\n")
+                                  "    use: {targets: {supporter: {at: [2, 0], lateral: -1}}}}\n")
         places = {}
         for words in ((), ("--context", "corner")):
             picture = xml.etree.ElementTree.fromstring(self.succeed(

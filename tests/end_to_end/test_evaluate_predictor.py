@@ -78,7 +78,7 @@ class EvaluatePredictor(unittest.TestCase):
         self.refused("none.csv: cannot be opened", data=self.folder.name + "/none.csv")
         self.refused("is a folder", data=self.folder.name)
         self.refused("is empty", data=self.write("e_ball_raw.csv", ""))
-        self.refused("e_ball_raw.csv:1:1: no column", data=self.write("e_ball_raw.csv", b"\x89PNG\r\n\x1a\n\0\0IHDR"))
+        self.refused("e_ball_raw.csv:1:1: byte 0x89 is not UTF-8", data=self.write("e_ball_raw.csv", b"\x89PNG\r\n\x1a\n\0\0IHDR"))
         self.refused("cannot be read on", data=self.write("e_ball_raw.csv.gz", b"\x1f\x8b\x08" + 200 * b"x"))
         cut = gzip.compress(rolling_ball().encode())[:-500]
         self.refused("unexpected end of file", data=self.write("e_ball_raw.csv.gz", cut))

@@ -194,19 +194,27 @@ class Page(experiment.Experiment):
         self.assertIn("<svg", page)
         self.assertNotIn("http://", page.replace("http://www.w3.org", ""))
         figures = self.folder / "night.figures"
-        self.assertIn("<svg", (figures / "roles.svg").read_text())
-        # What is drawn is what is told.
-        for row in self.long_table("night.figures/roles.csv"):
-            for arm in ("at the ball", "beside it"):
-                for last in ("overlap_seconds", "uncovered_seconds", "switches"):
-                    mean = next(each for each in self.measure(report, f"{row['role']}.{last}")["conditions"]
-                                if each["arm"] == arm)
-                    self.assertAlmostEqual(float(row[f"{arm} {last}"]), mean["mean"], places=9)
-                    low = mean["interval"][0] if mean["interval"] else mean["mean"]
-                    self.assertAlmostEqual(float(row[f"{arm} {last} low"]), low, places=9)
+        self.assertIn("<svg", (figures / "measures_1.svg").read_text())
+        # Robots of these teams agree on everything: no role is ever held twice or by nobody.
+        self.assertFalse((figures / "roles.svg").exists())
+        # What is drawn is what is told, and all that has a number.
+        drawn = set()
+        for file in figures.glob("measures_*.csv"):
+            for row in self.long_table(f"night.figures/{file.name}"):
+                for column in row:
+                    if not column.endswith(" mean"):
+                        continue
+                    measure = column.removesuffix(" mean")
+                    mean = next(each for each in self.measure(report, measure)["conditions"] if each["arm"] == row["arm"])
+                    self.assertAlmostEqual(float(row[column]), mean["mean"], places=9)
+                    drawn.add(measure)
+        self.assertIn("packets", drawn)
+        for each in report["measures"]:
+            if "." not in each["measure"]:
+                self.assertEqual(each["measure"] in drawn, any(mean["mean"] for mean in each["conditions"]), each)
 
     def test_figures_of_an_earlier_experiment_do_not_stay(self):
-        sweep = "sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\nmeasures: [goals]\n"
+        sweep = "sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\nmeasures: [packets]\n"
         self.document(sweep, [("matches: 4", "matches: 2")])
         self.experiment("--results", "night.db")
         figures = self.folder / "night.figures"
@@ -218,31 +226,34 @@ class Page(experiment.Experiment):
         self.document(changes=[("matches: 4", "matches: 2")])
         self.experiment("--results", "night.db")
         there = {each.name for each in figures.iterdir()}
-        self.assertLessEqual({"roles.csv", "roles.svg", "sweep_1.txt", "sweep_x.csv", "mine.svg", "measure_1.csv"}, there)
+        self.assertLessEqual({"sweep_1.txt", "sweep_x.csv", "mine.svg", "measures_1.csv", "measures_1.svg"}, there)
         self.assertFalse({"sweep_1.csv", "sweep_1.gnuplot", "sweep_1.svg", "sweep_1.png"} & there)
 
-    def test_every_measure_of_ones_own_has_a_figure(self):
-        measures = ["packets", "agreement", "goal_difference"]
-        self.document(f"measures: [{', '.join(measures)}]\nprimary: {{measure: packets}}\n")
+    def test_every_measure_of_ones_own_is_drawn(self):
+        """The primary one by itself, all others beside each other."""
+        measures = ["packets", "agreement", "packet_bytes"]
+        self.document(f"measures: [{', '.join(measures)}, silent_seconds]\nprimary: {{measure: packets}}\n")
         report = self.experiment("--results", "own.db")
         folder = self.folder / "own.figures"
         self.succeed("report", "own.db", "--figures", "again")
         self.assertEqual({each.name for each in folder.iterdir()},
-                         {f"measure_{number}.{end}" for number in (1, 2, 3) for end in ("csv", "svg")})
+                         {f"{name}_1.{end}" for name in ("measure", "measures") for end in ("csv", "svg")})
         page = (self.folder / "own.html").read_text()
-        self.assertEqual(page.count("<svg"), 3)
-        for number, measure in enumerate(measures, 1):
-            self.assertIn(f"<b>{measure}.</b>", page)
-            self.assertEqual((folder / f"measure_{number}.svg").read_text(),
-                             (self.folder / "again" / f"measure_{number}.svg").read_text())
-            rows = self.long_table(f"own.figures/measure_{number}.csv")
-            told = self.measure(report, measure)["conditions"]
-            self.assertEqual([row["arm"] for row in rows], [each["arm"] for each in told])
-            for row, each in zip(rows, told):
-                self.assertAlmostEqual(float(row["mean"]), each["mean"], places=9)
-                low, high = each["interval"] or (each["mean"], each["mean"])
-                self.assertAlmostEqual(float(row["low"]), low, places=9)
-                self.assertAlmostEqual(float(row["high"]), high, places=9)
+        self.assertEqual(page.count("<svg"), 2)
+        self.assertIn("<b>Packets.</b>", page)
+        self.assertIn("Not drawn, because all numbers are 0 or missing: silent_seconds.", page)
+        for name, shown in (("measure_1", measures[:1]), ("measures_1", measures[1:])):
+            self.assertEqual((folder / f"{name}.svg").read_text(), (self.folder / "again" / f"{name}.svg").read_text())
+            rows = self.long_table(f"own.figures/{name}.csv")
+            for measure in shown:
+                before = "" if len(shown) == 1 else f"{measure} "
+                told = self.measure(report, measure)["conditions"]
+                self.assertEqual([row["arm"] for row in rows], [each["arm"] for each in told])
+                for row, each in zip(rows, told):
+                    self.assertAlmostEqual(float(row[f"{before}mean"]), each["mean"], places=9)
+                    low, high = each["interval"] or (each["mean"], each["mean"])
+                    self.assertAlmostEqual(float(row[f"{before}low"]), low, places=9)
+                    self.assertAlmostEqual(float(row[f"{before}high"]), high, places=9)
 
     def test_headline_says_what_was_found(self):
         report = self.experiment("--results", "night.db")
@@ -332,7 +343,7 @@ class BadInput(experiment.Experiment):
         self.assertIn("no such file", self.refused("experiment", "nothing.yaml"))
         self.assertIn("this is a team document", self.refused("experiment", "small.yaml"))
         self.assertIn("--workers", self.refused(*self.arguments("--workers", 0)))
-        self.assertIn("expected exactly one of minutes, matches", self.refused(*self.arguments("--minutes", 5, "--matches", 4)))
+        self.assertIn("expected exactly one of minutes, matches", self.refused(*self.arguments("--game-minutes", 5, "--matches", 4)))
         self.assertIn("`regista tournament`", self.refused(*self.arguments("--pairs", 5)))
         self.assertIn("is odd", self.refused(*self.arguments("--matches", 3)))
 

@@ -152,7 +152,9 @@ set: {rules.durations.ready: 1, rules.durations.set: 1}
         self.write("arms.yaml", EXPERIMENT)
         text = self.succeed("run", "arms.yaml", "--quiet", "--no-page")
         self.assertEqual(self.succeed("resume", "arms.db", "--quiet", "--no-page"), text)
-        self.assertIn("an experiment has no number of pairs", self.refused("resume", "arms.db", "--pairs", 8))
+        more = json.loads(self.succeed("resume", "arms.db", "--quiet", "--no-page", "--json", "--pairs", 2))
+        self.assertEqual((more["pairs"], more["pairs_before"], more["matches"]), (2, "1", 8))
+        self.assertIn("it has 2 pairs already", self.refused("resume", "arms.db", "--pairs", 1))
         self.assertEqual(json.loads(self.succeed("results", "--json"))["results"][0]["teams"][:2], ["one", "two"])
 
     def test_bad_input(self):

@@ -94,7 +94,7 @@ class ShippedTeams(program.ShippedCase):
                 ("score", "{least: -5, most: -5, in_last: 300}"),
                 ("set_play", "{corner_kick: true, whose: own, at_most: 1}"),
                 ("set_play", "{penalty_kick: true, whose: opponent, ready: true}"),
-                ("set_play", "{goal_kick: true, whose: own, at_most: 1, still_for: 2}")):
+                ("set_play", "{goal_kick: true, whose: own, at_most: 1, hold_seconds: 2}")):
             self.assertEqual(self.warned("rare.yaml", "contexts: {rare: {before: search, priority: 70, plugin: "
                                          f"{plugin}, params: {params}}}}}\n"), [], (plugin, params))
 

@@ -109,6 +109,10 @@ class Smoke(program.ShippedCase):
     def test_stop(self):
         self.assertIn("no folder of a study", self.refused("stop", "."))
 
+    def test_power(self):
+        self.tournament()
+        self.assertIn("r.db holds 1 pair", self.refused("power", "r.db"))
+
     def test_sprt(self):
         self.assertIn("LLR", self.succeed("sprt", "--elo", "0,10", 34, 54, 63, 64, 75))
 
@@ -152,6 +156,11 @@ class Smoke(program.ShippedCase):
 
     def test_config__show(self):
         self.assertIn("team: paper", self.succeed("config", "show", TEAMS / "paper.yaml"))
+
+    def test_config__diff(self):
+        done = self.run_program("config", "diff", "paper", "fixed_rate")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("sender.plugin: event_based | fixed_rate", done.stdout)
 
     def test_config__schema(self):
         self.assertIn("$schema", json.loads(self.succeed("config", "schema", "team")))

@@ -31,13 +31,13 @@ class Sprt(program.Case):
         self.assertEqual(games["unit"], "games")
         self.assertAlmostEqual(games["elo"], 40.70, delta=0.005)
         self.assertAlmostEqual(games["nelo"], 49.77, delta=0.005)
-        self.assertAlmostEqual(games["los"], 0.9960, delta=0.00005)
+        self.assertAlmostEqual(games["los"], 0.9960, delta=0.0005)
         self.assertIsNone(games["pair_ratio"])
         pairs = self.result("--elo", "0,10", "34", "54", "63", "64", "75")
         self.assertEqual(pairs["unit"], "pairs")
         self.assertAlmostEqual(pairs["elo"], 55.58, delta=0.005)
         low, high = pairs["elo_interval"]
-        self.assertAlmostEqual((high - low) / 2, 27.65, delta=0.005)
+        self.assertAlmostEqual((high - low) / 2, 27.65 * 1.968 / 1.960, delta=0.1)  # by Student
         low, high = pairs["nelo_interval"]
         self.assertAlmostEqual((high - low) / 2, 29.41, delta=0.005)  # 28.28 if the spread were known
         self.assertAlmostEqual(pairs["pair_ratio"], 139 / 88, delta=1e-12)
@@ -45,7 +45,7 @@ class Sprt(program.Case):
     def test_text(self):
         self.assertEqual(self.succeed("sprt", "--elo", "0,10", "34", "54", "63", "64", "75"),
                          "Pairs (LL, LD, WL+DD, WD, WW): 34, 54, 63, 64, 75\n"
-                         "Elo: 55.58 +- 27.65, nElo: 57.94 +- 29.41\n"
+                         "Elo: 55.58 +/- 27.82, nElo: 57.94 +/- 29.41\n"
                          "LOS: 100.00 %, pair ratio: 1.58\n"
                          "LLR: 2.484 (-2.944, 2.944) [0, 10] normalized\n"
                          "Verdict: INCONCLUSIVE\n")
@@ -69,7 +69,7 @@ class Sprt(program.Case):
     def test_even_pairs_speak_for_equal_strength(self):
         for model in ("normalized", "logistic"):
             result = self.result("--model", model, "--elo", "0,50", "0", "0", "9999", "0", "0")
-            self.assertEqual((result["los"], result["verdict"]), (0.5, "H0"))
+            self.assertEqual((result["los"], result["verdict"]), (None, "H0"))
             self.assertEqual((result["elo_interval"], result["nelo_interval"]), ([None, None], [None, None]))
         # 28 even pairs of 30, and 30: the ratio does not jump.
         few = self.result("--elo", "0,20", "0", "1", "28", "1", "0")["llr"]
@@ -80,7 +80,7 @@ class Sprt(program.Case):
         self.assertEqual(self.succeed("sprt", "--elo", "0,20", "0", "0", "30", "0", "0"),
                          "Pairs (LL, LD, WL+DD, WD, WW): 0, 0, 30, 0, 0\n"
                          "Elo: 0.00 (no interval), nElo: 0.00 (no interval)\n"
-                         "LOS: 50.00 %\n"
+                         "LOS: -\n"
                          f"LLR: {none:.3f} (-2.944, 2.944) [0, 20] normalized\n"
                          "All 30 pairs were even: the test takes this for equal strength.\n"
                          "Verdict: INCONCLUSIVE\n")
@@ -90,8 +90,15 @@ class Sprt(program.Case):
     def test_what_has_no_interval_says_so(self):
         few = self.succeed("sprt", "--elo", "0,20", "0", "0", "28", "2", "0")
         self.assertIn("nElo: 65.46 (no interval)\n", few)
-        self.assertIn("Fewer than 10 pairs were uneven, so nElo has no interval.\n"
+        self.assertIn("Fewer than 10 pairs were uneven, so Elo and nElo have no interval, and LOS is not known.\n"
                       "The test rests on 2 of 30 pairs that were uneven.\n", few)
+        won = self.succeed("sprt", "--elo", "0,50", "0", "0", "0", "0", "11")
+        self.assertIn("Elo: at least 159.86, nElo: ", won)
+        self.assertIn("At least 71 % of the points, with 97.5 % confidence: Elo has this bound alone. One team won every "
+                      "pair, so nElo has no interval.\n", won)
+        # Less evidence never gives more certainty.
+        for counts in ("0 0 0 3 1", "0 0 0 0 4", "0 0 0 1 3"):
+            self.assertIsNone(self.result("--elo", "0,50", *counts.split())["los"])
         self.assertIn("One team won every pair, so nElo has no interval.\n",
                       self.succeed("sprt", "--elo", "0,20", "0", "0", "0", "10", "12"))
         self.assertEqual(self.result("--elo", "0,20", "0", "0", "0", "10", "12")["nelo_interval"], [None, None])

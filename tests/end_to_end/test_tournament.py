@@ -128,10 +128,10 @@ class Matches(tournament.Tournament):
     def test_the_report_in_words(self):
         text = self.play(pairs=4)
         report = self.only("--resume", pairs=4)
-        self.assertTrue(text.startswith("Tournament: small vs other (4 pairs, seeds from 1, 2 openings)\n"), text)
+        self.assertTrue(text.startswith("Tournament: small vs other (4 pairs, seeds from 1, 2 scenes of about 10 s)\n"), text)
         self.assertIn(f"Games: 8, Wins: {report['wins']}, Losses: {report['losses']}, Draws: {report['draws']}, ", text)
         self.assertIn(f"Ptnml(0-2): {report['pentanomial']}\n", text)
-        self.assertIn(f"Goals: {report['goals'][0]}:{report['goals'][1]}, per match ", text)
+        self.assertIn(f"Goals: {report['goals'][0]}:{report['goals'][1]}, per scene ", text)
 
     def test_one_and_two_and_four_workers_say_the_same(self):
         one = self.play("--workers", "1", "--results", "1.db", pairs=6)
@@ -165,14 +165,15 @@ class Matches(tournament.Tournament):
     def test_a_line_for_each_match_when_nobody_watches(self):
         done = self.run_program(*self.arguments(pairs=2))
         lines = done.stderr.splitlines()
-        self.assertEqual(len(lines), 6, done.stderr)
+        self.assertEqual(len(lines), 7, done.stderr)
+        self.assertEqual(lines.pop(0), "2 pairs cannot give a verdict: at least 6 are needed")
         for i, line in enumerate(lines[:4]):
             home, away = ("small", "other") if i % 2 == 0 else ("other", "small")
             self.assertRegex(line, rf"^match {i + 1} of 4, seed {1 + i // 2}, \w+: {home} \d+:\d+ {away}$")
         self.assertRegex(lines[4], r"^4 matches played in \d+ s, \d+\.\d\d matches/s$")
         self.assertEqual(lines[5], "page: tournament.html")
         again = self.run_program(*self.arguments("--resume", pairs=2))
-        self.assertRegex(again.stderr, r"^0 matches played in \d+ s; 4 were played before\npage: tournament\.html\n$")
+        self.assertRegex(again.stderr, r"^2 pairs cannot .*\n0 matches played in \d+ s; 4 were played before\npage: tournament\.html\n$")
 
     def test_a_gone_reader_or_full_disk_loses_no_match(self):
         with open("/dev/full", "w") as full:
@@ -190,6 +191,7 @@ pairs: 3
 openings: scenes
 seed: 7
 set: {a.utility.terms.near.params.scale: 3}
+seeds: consecutive
 """
 
     def test_a_document_says_what_options_say(self):
@@ -221,9 +223,9 @@ set: {a.utility.terms.near.params.scale: 3}
         for name, text in (rules, robot, wind):
             self.write(name, text.format(program.SOURCE / "configs"))
         common = ("--seed", "5", "--limit", "3", "--rules", "rules.yaml", "--robot", "robot.yaml", "--disturbance", "wind.yaml",
-                  "--failures-in-a-row", "4", "--isolation", "always", "--play-once")
+                  "--failures-in-a-row", "4", "--isolation", "always", "--play-once", "--seeds", "consecutive")
         keys = "seed: 5\nlimit: 3\nrules: rules.yaml\nrobot: robot.yaml\ndisturbance: wind.yaml\n" \
-               "failures_in_a_row: 4\nisolation: always\nplay_twice: false\n"
+               "failures_in_a_row: 4\nisolation: always\nplay_twice: false\nseeds: consecutive\n"
         two, three = ("small.yaml", "other.yaml"), ("small.yaml", "other.yaml", "worse.yaml")
         for teams, options, page in (
                 (three, ("--format", "gauntlet", "--pairs", "1"), "format: gauntlet\npairs: 1\n"),
@@ -273,7 +275,7 @@ set: {a.utility.terms.near.params.scale: 3}
                       self.refused("tournament", "night.yaml", "--sprt", "0,20"))
         self.assertIn("--team small.yaml: teams: 1 elements; expected 2", self.refused("tournament", "night.yaml", "--team",
                                                                                        "small.yaml"))
-        self.assertIn("`regista experiment` has one", self.refused("tournament", "night.yaml", "--minutes", "3"))
+        self.assertIn("`regista experiment` has one", self.refused("tournament", "night.yaml", "--game-minutes", "3"))
         self.assertFalse((self.folder / "bad.db").exists() or (self.folder / "night.db").exists())
 
 

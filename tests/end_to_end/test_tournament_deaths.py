@@ -170,7 +170,7 @@ class Deaths(tournament.Tournament):
         words = ("--plugins", FOLDER, *LIMITS, "--failures-in-a-row", "3")
         teams = ("bad.yaml", "small.yaml")
         text = self.play(*words, teams=teams, pairs=50)
-        self.assertTrue(text.startswith("Tournament: bad vs small (2 pairs of 50, seeds from 1, 2 openings)\n"), text)
+        self.assertTrue(text.startswith("Tournament: bad vs small (2 pairs of 50, seeds from 1, 2 scenes of about 10 s)\n"), text)
         self.assertIn("\nGames: 4, Wins: 0, Losses: 4, Draws: 0, ", text)
         self.assertIn("\nbad was set aside after pair 2: its plugin aborts failed 4 times in a row.\n", text)
         self.assertIn(f"\n  4 matches forfeited by bad: plugin aborts, holds: {ABORTED}; the first again: ", text)

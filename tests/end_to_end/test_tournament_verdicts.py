@@ -36,9 +36,9 @@ class Verdicts(tournament.Tournament):
         pairs = sum(pairing["pentanomial"])
         self.assertLess(pairs, 60)
         self.assertEqual(report["matches"], 2 * pairs)
-        self.assertTrue(words.startswith(f"Tournament: small vs worse ({pairs} pairs of 200, seeds from 1, 2 openings)\n"))
+        self.assertTrue(words.startswith(f"Tournament: small vs worse ({pairs} pairs of 200, seeds from 1, 2 scenes of about 10 s)\n"))
         self.assertIn(f"\nsmall is stronger than worse.", words)
-        self.assertIn(f"\nAfter {pairs} pairs of matches small has ", words)
+        self.assertIn(f"\nAfter {pairs} pairs of scenes small has ", words)
         self.assertIn("\nThe test accepted H1: the scores speak for a strength of 200 rather than 0 nElo; error rates ", words)
         test = pairing["sprt"]
         self.assertGreaterEqual(test["llr"], test["llr_stopping"][1])
@@ -62,7 +62,7 @@ class Verdicts(tournament.Tournament):
         self.assertEqual(report["verdict"], "H1")
         pairs = sum(report["pairings"][0]["pentanomial"])
         self.assertLess(pairs, 60)
-        self.assertIn(f"\nsmall scores more goals than worse.\nAfter {pairs} pairs of matches ", words)
+        self.assertIn(f"\nsmall scores more goals than worse.\nAfter {pairs} pairs of scenes ", words)
         self.assertGreater(report["pairings"][0]["goals_per_match"]["confidence_sequence"][0], -0.01)
 
     def test_a_test_on_a_metric_of_a_role(self):
@@ -148,8 +148,15 @@ class Formats(tournament.Tournament):
         self.assertEqual(report["ranking"][-1]["team"], "worse")
         elos = [rank["elo"] for rank in report["ranking"]]
         self.assertEqual(elos, sorted(elos, reverse=True))
+        # Another command comes to the same ranking from the table.
+        for metrics in ([], ["--metrics"]):
+            self.write("matches.csv", self.succeed("report", "tournament.db", "--csv", *metrics))
+            ranked = json.loads(self.succeed("rank", "matches.csv", "--json"))
+            self.assertEqual(ranked["remarks"], [])
+            self.assertEqual([[row[key] for key in ("team", "elo", "elo_interval", "points")] for row in ranked["ranking"]],
+                             [[row[key] for key in ("team", "elo", "elo_interval", "points")] for row in report["ranking"]])
         text = self.play("--resume", teams=THREE, pairs=6)
-        self.assertTrue(text.startswith("Tournament: 3 teams, round robin (6 pairs each, seeds from 1, 2 openings)\n"))
+        self.assertTrue(text.startswith("Tournament: 3 teams, round robin (6 pairs each, seeds from 1, 2 scenes of about 10 s)\n"))
         self.assertEqual(self.play("--results", "four.db", "--workers", "4", teams=THREE, pairs=6), text)
         self.assertEqual(self.rows("four.db"), self.rows())
 

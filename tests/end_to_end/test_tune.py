@@ -25,6 +25,7 @@ search: {{algorithm: {algorithm}, matches: {matches}{search}}}
 selection: {{finalists: 2, matches: 8}}
 verification: {{candidates: 1, matches: 24, against: base}}
 slices: {{points: 2, pairs: 2}}
+seeds: consecutive
 {more}"""
 FREE = "[utility.terms.distance.weight, utility.terms.bearing.weight]"
 SHIPPED = program.PROGRAM.parent.parent / "lib" / "regista" / "plugins"

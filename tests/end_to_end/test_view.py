@@ -10,6 +10,8 @@ import struct
 import unittest
 import xml.etree.ElementTree
 
+import zstandard
+
 import program
 import recorded
 
@@ -203,6 +205,98 @@ class Pictures(View):
         self.assertFalse([element for element in svg.iter() if element.tag.endswith("script")])
         self.assertTrue(any("<script>" in text for text in self.texts(svg)))
         self.assertFalse(any("\u202e" in text for text in self.texts(svg)))
+
+
+def written_anew(data, change):
+    """The recording `data` as another program may write it: without chunks and summary. change: takes and gives back
+    [(channel, sequence, log time, text)] of all messages."""
+    def record(opcode, content):
+        return struct.pack("<BQ", opcode, len(content)) + content
+
+    before, messages = b"", []
+    for opcode, content in recorded.records(data, len(recorded.MAGIC)):
+        if opcode == recorded.DATA_END:
+            break
+        if opcode != recorded.CHUNK:
+            before += record(opcode, content)
+            continue
+        size, at = struct.unpack_from("<Q", content, 16)[0], 32 + struct.unpack_from("<I", content, 28)[0] + 8
+        plain = zstandard.ZstdDecompressor().decompress(content[at:], max_output_size=size)
+        for inner, packed in recorded.records(plain):
+            if inner == recorded.MESSAGE:
+                channel, sequence, log_time, _ = struct.unpack_from("<HIQQ", packed)
+                messages.append((channel, sequence, log_time, packed[22:]))
+            else:
+                before += record(inner, packed)
+    after = b"".join(record(recorded.MESSAGE, struct.pack("<HIQQ", channel, sequence, when, when) + text)
+                     for channel, sequence, when, text in change(messages))
+    footer = 2
+    end = record(recorded.DATA_END, bytes(4)) + record(footer, bytes(20))
+    return recorded.MAGIC + before + after + end + recorded.MAGIC
+
+
+class WrittenAnew(View):
+    """Pictures and pages are the same when another program has changed the order of messages or where times begin."""
+
+    def setUp(self):
+        super().setUp()
+        data = (self.folder / "a.mcap").read_bytes()
+
+        def reversed_since_1970(messages):
+            return [(channel, sequence, when + 1_790_000_000_123_456_789, text)
+                    for channel, sequence, when, text in reversed(messages)]
+
+        (self.folder / "anew.mcap").write_bytes(written_anew(data, reversed_since_1970))
+
+    def test_pictures(self):
+        for at in ("0", "0:07", "14.35", "20", "1/0:05"):
+            for robot in ((), ("--robot", "3"), ("--robot", "away/2")):
+                self.succeed("view", "anew.mcap", "--at", at, *robot, "-o", "anew.svg", "--force")
+                self.picture("--at", at, *robot)
+                drawn, wanted = ((self.folder / name).read_text() for name in ("anew.svg", "a.svg"))
+                self.assertEqual(drawn, wanted, (at, robot))
+
+    def test_pages(self):
+        self.install_viewer()
+        self.succeed("view", "anew.mcap")
+        page = (self.folder / "anew.html").read_text()
+        self.assertIn('data-name="anew.mcap"', page)
+        content = re.search(r">([A-Za-z0-9+/=]+)<", page)[1]
+        (self.folder / "copy.mcap").write_bytes(base64.b64decode(content, validate=True))
+        before, after = (written_anew((self.folder / name).read_bytes(), lambda messages: messages)
+                         for name in ("a.mcap", "copy.mcap"))
+
+        def by_topic(data):
+            topics, out = {}, {}
+            for opcode, content in recorded.records(data, len(recorded.MAGIC)):
+                if opcode == recorded.CHANNEL:
+                    size = struct.unpack_from("<I", content, 4)[0]
+                    topics[struct.unpack_from("<H", content)[0]] = content[8:8 + size].decode()
+                elif opcode == recorded.MESSAGE:
+                    channel, _, when, _ = struct.unpack_from("<HIQQ", content)
+                    out.setdefault(topics[channel], []).append((when, content[22:]))
+            return out
+
+        wanted, found = by_topic(before), by_topic(after)
+        self.assertEqual(found.keys(), wanted.keys())
+        for topic in wanted.keys() - {"/heard"}:
+            self.assertEqual(found[topic], wanted[topic], topic)
+        # Robots write together what they heard in the last tenth of a second.
+        self.assertEqual(sorted(found["/heard"]), sorted(wanted["/heard"]))
+
+    def test_damage_is_named_by_its_cause(self):
+        data = bytearray((self.folder / "a.mcap").read_bytes())
+        places = []
+        at = len(recorded.MAGIC)
+        for opcode, content in recorded.records(bytes(data), at):
+            if opcode == recorded.CHUNK:
+                places.append(at)
+                data[at + 9 + 24] ^= 1  # the checksum
+            at += 9 + len(content)
+        (self.folder / "damaged.mcap").write_bytes(data)
+        for more in ((), ("--at", "1")):
+            line = self.refused("view", "damaged.mcap", *more)
+            self.assertIn(f"damaged.mcap: is damaged at byte {places[0]}: the checksum of a chunk is wrong", line)
 
 
 class Drawings(View):

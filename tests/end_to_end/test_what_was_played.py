@@ -60,7 +60,7 @@ class Again(tournament.Tournament):
                              "{utility.terms.near.params.scale: 2}}]\nopponent: small.yaml\nmatches: 2\nlimit: 5\n"
                              "sweep: {path: rules.durations.set, values: [2, 3]}\nprimary: {measure: packets}\n"
                              "allow_shared_memory: true\n")
-        self.succeed("experiment", "e.yaml", "--quiet", "--no-page", "--seed", "4")
+        self.succeed("experiment", "e.yaml", "--quiet", "--no-page", "--seed", "4", "--seeds", "consecutive")
         folder, text = self.write_again("e.db")
         self.assertIn("at each of 2 values of rules.durations.set, seeds from 4", text)
         self.assertIn("robots of a team may share memory", text)

@@ -56,7 +56,7 @@ class Tournament(program.Case):
             words += ["--team", team]
         if not self.pages and "--no-page" not in more:
             words.append("--no-page")
-        return [*words, "--pairs", pairs, *SHORT, *more]
+        return [*words, "--pairs", pairs, "--seeds", "consecutive", *SHORT, *more]
 
     def play(self, *more, **options):
         """The report of a tournament that must succeed without a word on standard error."""

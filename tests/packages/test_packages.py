@@ -2,6 +2,7 @@
 """The Debian packages in a root folder that holds nothing but what they depend on: installed, a match played, the template
 built against them and played, removed, and nothing left. Needs root, for chroot."""
 
+import gzip
 import hashlib
 import json
 import os
@@ -114,7 +115,14 @@ class Packages(unittest.TestCase):
         self.play("--limit", "60", "--record", "/tmp/match.mcap")
         if (BUILD / "share/regista/viewer.html").exists():
             self.succeed("/usr/bin/regista", "view", "/tmp/match.mcap", "-o", "/tmp/match.html")
-        documents = self.root.path / "usr/share/doc/regista"
+        share = self.root.path / "usr/share"
+        manual = gzip.decompress((share / "man/man1/regista-match.1.gz").read_bytes()).decode()
+        self.assertIn(r"regista match \- play one match between two teams", manual)
+        self.assertNotIn(str(BUILD), manual)
+        for file in ("bash-completion/completions/regista", "zsh/vendor-completions/_regista",
+                     "fish/vendor_completions.d/regista.fish"):
+            self.assertIn("tournament", (share / file).read_text())
+        documents = share / "doc/regista"
         pages = [documents / "README.md", documents / "CHANGELOG.md", *sorted((documents / "docs").glob("*.md"))]
         for page in pages:
             for link in re.findall(r"\]\(([\w./-]+)(?:#[^)]*)?\)", page.read_text()):

@@ -2,7 +2,7 @@
 // What is wrong with the boxes of a page that a browser has laid out: a list of sentences. Everything here runs in the
 // page, so it uses nothing from outside the function.
 
-export function faultsOfPage({ figures, fullFigures }) {
+export function faultsOfPage({ figures }) {
   const faults = [];
   const slack = 1; // pixel, for rounding
   const short = (text) => JSON.stringify(text.replace(/\s+/g, " ").trim().slice(0, 40));
@@ -80,15 +80,40 @@ export function faultsOfPage({ figures, fullFigures }) {
     }
   }
 
+  // --- One width -----------------------------------------------------------------------------------------------------
+  const content = document.querySelector(".content").getBoundingClientRect();
+  for (const box of document.querySelectorAll(".content .drawn, .content .wide > table")) {
+    if (!shown(box)) continue;
+    const { width } = box.getBoundingClientRect();
+    const room = box.closest(".two")?.firstElementChild.getBoundingClientRect().width ?? content.width;
+    if (width < 0.98 * room) faults.push(`${short(box.textContent)}: ${width} px wide, and the page has room for ${room}`);
+  }
+  // What scrolls in its box has a shadow at the side.
+  for (const box of document.querySelectorAll(".drawn, .wide")) {
+    if (shown(box) && box.scrollWidth > box.clientWidth && getComputedStyle(box).backgroundImage === "none") {
+      faults.push(`${short(box.textContent)} scrolls, and does not show it`);
+    }
+  }
+
+  // --- Contents: beside the page where there is room, above it elsewhere; the verdict is seen at once ----------------
+  const nav = document.querySelector("nav").getBoundingClientRect();
+  const top = document.querySelector(".top").getBoundingClientRect();
+  const wide = window.innerWidth >= 1366;
+  if (wide && (nav.right > content.left || nav.top > top.top + 40)) faults.push("the contents are not beside the page");
+  if (!wide && (nav.bottom > content.top || nav.top < top.bottom)) faults.push("the contents are not above the page");
+  for (const link of document.querySelectorAll("nav a")) {
+    if (document.getElementById(link.hash.slice(1)) === null) faults.push(`the contents lead to ${link.hash}: not there`);
+  }
+  if (wide && top.bottom + window.scrollY > window.innerHeight) {
+    faults.push(`the verdict and its figure end at ${top.bottom} px, the screen at ${window.innerHeight}`);
+  }
+
   // --- Figures -------------------------------------------------------------------------------------------------------
   const there = document.querySelectorAll("figure svg").length;
   if (there < figures) faults.push(`${there} figures, and ${figures} are wanted`);
-  const style = getComputedStyle(document.querySelector("main"));
-  const width = page.width - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
   for (const svg of document.querySelectorAll("figure svg")) {
     const box = svg.getBoundingClientRect();
     const name = short(svg.getAttribute("aria-label"));
-    if (fullFigures && box.width < 0.98 * width) faults.push(`figure ${name}: ${box.width} px of ${width}`);
     const scale = box.width / svg.viewBox.baseVal.width;
     for (const text of svg.querySelectorAll("text")) {
       const size = scale * parseFloat(getComputedStyle(text).fontSize);

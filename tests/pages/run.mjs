@@ -5,16 +5,17 @@
 //
 // At the widths that screens have, light and dark, with everything unfolded, no text may lie over another one or be cut,
 // nothing may stick out of the page, and every text must be legible. Status 77: there is no browser.
-import { existsSync, mkdirSync, mkdtempSync, rmSync } from "node:fs";
+import { mkdirSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { faultsOfPage } from "./boxes.mjs";
+import { browserOf } from "./browser.mjs";
 import { playStudies } from "./studies.mjs";
 
-const skipped = 77;
-const widths = [1280, 1366, 1440, 1920];
+// Phone, tablet, the usual screens: px.
+const screens = [[390, 844], [768, 1024], [1366, 768], [1920, 1080]];
 const most = 12; // faults of a page that are told
 
 const [program, source, option, screenshots] = process.argv.slice(2);
@@ -22,36 +23,28 @@ if (source === undefined || (option !== undefined && (option !== "--screenshots"
   console.error("usage: node run.mjs PROGRAM SOURCE [--screenshots FOLDER]");
   process.exit(2);
 }
-if (!existsSync(join(source, "viewer/node_modules/playwright-core"))) {
-  console.log("skipped: viewer/node_modules is missing (run scripts/setup, or `npm ci --ignore-scripts` in viewer/)");
-  process.exit(skipped);
-}
-const { chromiumPath, startBrowser } = await import(pathToFileURL(join(source, "viewer/test/browser.mjs")));
-if (chromiumPath() === null) {
-  console.log("skipped: there is no Chromium");
-  process.exit(skipped);
-}
+const startBrowser = await browserOf(source);
 
 const folder = mkdtempSync(join(tmpdir(), "regista-pages-"));
 const browser = await startBrowser();
 let all = 0;
 try {
   const page = await browser.newPage();
-  for (const { name, file, figures, fullFigures } of playStudies(program, source, folder)) {
+  for (const { name, file, figures } of playStudies(program, source, folder)) {
     await page.goto(pathToFileURL(file).href);
     const faults = new Map(); // where each was seen
     for (const colorScheme of ["light", "dark"]) {
       await page.emulateMedia({ colorScheme });
-      for (const width of widths) {
-        await page.setViewportSize({ width, height: 900 });
+      for (const [width, height] of screens) {
+        await page.setViewportSize({ width, height });
         for (const open of [true, false]) {
           await page.evaluate((all) => document.querySelectorAll("details").forEach((each) => (each.open = all)), open);
           const where = `${width} px ${colorScheme}${open ? " unfolded" : ""}`;
-          for (const fault of await page.evaluate(faultsOfPage, { figures, fullFigures })) {
+          for (const fault of await page.evaluate(faultsOfPage, { figures })) {
             faults.set(fault, [...(faults.get(fault) ?? []), where]);
           }
         }
-        if (screenshots !== undefined && (width === 1280 || width === 1920)) {
+        if (screenshots !== undefined) {
           mkdirSync(screenshots, { recursive: true });
           await page.screenshot({ path: join(screenshots, `${name}_${width}_${colorScheme}.png`), fullPage: true });
         }

@@ -185,7 +185,7 @@ class Proof:
     def play(self, name, opponents, *settings):
         """The team against each of them, or as far as that has been played before. The file of results."""
         file = self.folder / f"{name}_{self.pairs}_{self.seed}.db"
-        words = ["--format", "gauntlet", "--pairs", self.pairs, "--seed", self.seed, "--workers", 2]
+        words = ["--format", "gauntlet", "--pairs", self.pairs, "--seed", self.seed, "--seeds", "consecutive", "--workers", 2]
         for team in (TEAM, *opponents):
             words += ["--team", self.source / f"configs/teams/{team}.yaml"]
         for each in settings:

@@ -39,7 +39,7 @@ def main(program, label_exchange, source, folder):
     match_seed = os.environ.get("REGISTA_MATCH_SEED", "1")
     file = folder / f"labels_{tournaments}_{match_seed}.db"
     words = ["--openings", source / "configs/openings", "--limit", SECONDS, "--pairs", tournaments * PAIRS, "--seed",
-             match_seed]
+             match_seed, "--seeds", "consecutive"]
     for team in TEAMS:
         words += ["--team", source / f"configs/teams/{team}.yaml"]
     print(results.played(program, file, words))

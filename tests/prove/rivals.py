@@ -124,7 +124,7 @@ class Proof:
     def whole_matches(self):
         file = self.folder / f"rivals_whole_{self.pairs}_{self.seed}.db"
         reference = next(each for each in self.files if self.name(each) == REFERENCE)
-        words = ["--format", "gauntlet", "--pairs", self.pairs, "--seed", self.seed, "--team", reference]
+        words = ["--format", "gauntlet", "--pairs", self.pairs, "--seed", self.seed, "--seeds", "consecutive", "--team", reference]
         for each in self.files:
             words += ["--team", each] if each != reference else []
         print(results.played(self.program, file, words), flush=True)

@@ -4,31 +4,24 @@ import { Address, fragmentOf, readFragment } from "./app/fragment";
 import { type Key, listenToKeys } from "./app/keys";
 import { type Palette, readPalette } from "./app/palette";
 import { Playback } from "./app/playback";
-import {
-  type LayerName,
-  type PanelName,
-  type Robot,
-  State,
-  type View,
-  layerNames,
-  panelNames,
-  speeds,
-} from "./app/state";
+import { type PanelName, type Robot, State, type View, layerNames, panelNames, speeds } from "./app/state";
 import { decisionStep, eventStep, goalStep, timeOf } from "./app/steps";
 import type { Theme } from "./app/theme";
 import { Field } from "./field/field";
+import { FieldPart } from "./field/field_part";
 import { Heat } from "./field/heat";
 import { type Pair, pairAt, pairNow } from "./model/compare";
-import { computedNames } from "./model/positioner";
 import { type Stretch, neighbour } from "./model/roles";
 import { countSwitches } from "./model/switches";
-import { listText, shortened, timeText } from "./model/text";
+import { shortened, timeText } from "./model/text";
 import { AtBallPanel } from "./panels/at_ball";
 import { ComparePanel } from "./panels/compare";
 import { DrawingChoice, hasDrawings } from "./panels/drawing_choice";
-import { byId, element, setText } from "./panels/elements";
+import { byId, element, row, setText } from "./panels/elements";
+import { GoalPanel } from "./panels/goals";
 import { Head } from "./panels/head";
 import { HeatChoice } from "./panels/heat_choice";
+import { LayerChoice, layerKeys } from "./panels/layer_choice";
 import { LogPanel, hasLines } from "./panels/log";
 import { MatchPanel } from "./panels/match";
 import { OverlapList } from "./panels/overlaps";
@@ -43,46 +36,43 @@ import { playLane } from "./time/plays";
 import { Timeline } from "./time/timeline";
 
 const panelTexts: Record<PanelName, string> = {
-  overlaps: "Overlaps",
+  overlaps: "Role overlaps",
   robot: "Robot",
   compare: "Compare",
+  goals: "Goals",
   plays: "Actions",
   ball: "At the ball",
   segments: "Segments",
   log: "Log",
   match: "Match",
 };
-const layerTexts: Record<LayerName, [string, string]> = {
-  belief: ["Belief", "b"],
-  ellipses: ["Ellipses", "i"],
-  tasks: ["Tasks", "j"],
-  trails: ["Trails", "l"],
-  computed: ["Positioner", "v"], // on the button stands what the team's positioner computes
-};
 const mostLettersOfTeam = 18; // on the timeline's button
-const mostLettersOfPositioner = 32;
 const panelMilliseconds = 100; // between two updates of the panels while time passes
 const largestShare = 0.47; // of the width, for the field: two columns of a panel have room beside it
+const highestShare = 0.6; // of the window, where the panel is below it
 
 export class Viewer {
   readonly state: State;
   readonly playback: Playback;
   private palette: Palette;
   private readonly field: Field;
+  private readonly part: FieldPart;
   private readonly timeline: Timeline;
   private readonly head: Head;
   private readonly list: OverlapList;
   private readonly robotPanel: RobotPanel;
   private readonly comparePanel: ComparePanel;
+  private readonly goalPanel: GoalPanel;
   private readonly playPanel: PlayPanel;
   private readonly atBallPanel: AtBallPanel;
   private readonly segmentPanel: SegmentPanel;
   private readonly logPanel: LogPanel;
   private readonly matchPanel: MatchPanel;
   private readonly address: Address;
+  private readonly layers: LayerChoice;
   private readonly drawings: DrawingChoice;
   private readonly heat: HeatChoice;
-  private readonly computed: readonly [string[], string[]]; // by side: names of what its positioners compute
+  private size = ""; // that the page was laid out for
   private panelsDrawn = 0;
   private panelsStale = true;
 
@@ -96,7 +86,6 @@ export class Viewer {
     byId("viewer").style.setProperty("--lanes", String(over + under));
     byId("viewer").style.setProperty("--plays", String(playLane(match)));
     this.state = new State(match.game.begin, match.game.end);
-    this.computed = [computedNames(match, 0), computedNames(match, 1)];
     this.palette = readPalette();
     this.field = new Field(byId("field"), match, this.palette, new Heat(match, () => this.timeline.window));
     this.timeline = new Timeline(
@@ -119,11 +108,13 @@ export class Viewer {
     this.comparePanel = new ComparePanel(byId("panel-compare"), byId("tab-row"), match, (pair) =>
       this.state.set({ pair }),
     );
-    this.playPanel = new PlayPanel(byId("panel-plays"), match, (time) => this.state.set({ time }));
+    const go = (time: number) => this.state.set({ time });
+    this.goalPanel = new GoalPanel(byId("panel-goals"), match, go);
+    this.playPanel = new PlayPanel(byId("panel-plays"), match, go);
     this.atBallPanel = new AtBallPanel(byId("panel-ball"), match);
-    this.segmentPanel = new SegmentPanel(byId("panel-segments"), match, (time) => this.state.set({ time }));
-    this.logPanel = new LogPanel(byId("panel-log"), match, (time) => this.state.set({ time }));
-    this.matchPanel = new MatchPanel(byId("panel-match"), match, name, (time) => this.state.set({ time }));
+    this.segmentPanel = new SegmentPanel(byId("panel-segments"), match, go);
+    this.logPanel = new LogPanel(byId("panel-log"), match, go);
+    this.matchPanel = new MatchPanel(byId("panel-match"), match, name);
     this.address = new Address(() => {
       const { time, robot, panel, pair } = this.state.view;
       return fragmentOf(time, robot, panel === "compare" ? pair : null);
@@ -131,12 +122,20 @@ export class Viewer {
     this.playback = new Playback(this.state, (now) => this.draw(now));
     theme.changed = () => this.repaint();
     this.state.listen((changed) => this.changed(changed));
+    this.part = new FieldPart(byId("field"), byId("part"), this.field.projection, this.state, (px, py) => {
+      const robot = this.field.robotAt(px, py);
+      if (robot === null) this.state.choose(null);
+      else this.chooseRobot(robot);
+    });
+    this.layers = new LayerChoice(byId("layers"), match, this.state);
     this.buildControls();
     this.heat = new HeatChoice(byId("layers"), match, this.state);
     this.drawings = new DrawingChoice(byId("layers"), match, this.state);
+    this.state.set({ time: match.game.kickOff });
     this.go(location.hash);
     this.address.listen((fragment) => this.go(fragment));
-    new ResizeObserver(() => this.resize()).observe(byId("viewer"));
+    const sizes = new ResizeObserver(() => this.resize());
+    for (const id of ["viewer", "layers"]) sizes.observe(byId(id));
     this.resize();
     this.showControls(this.state.view);
     void countSwitches(match, () => new Promise((resolve) => setTimeout(resolve, 4))).then((switches) => {
@@ -161,16 +160,27 @@ export class Viewer {
   }
 
   private resize(): void {
-    const stage = byId("stage");
-    const layers = byId("layers");
-    const most = Math.max(200, byId("middle").clientHeight - layers.offsetHeight - 6);
-    const width = Math.floor(Math.min(most * this.field.projection.aspect, byId("middle").clientWidth * largestShare));
-    const height = Math.floor(Math.min(most, width / this.field.projection.aspect));
-    const canvas = byId("field");
-    canvas.style.width = `${width}px`;
-    canvas.style.height = `${height}px`;
-    stage.style.width = `${width + 8}px`;
-    this.field.resize(width, height);
+    const [viewer, layers, canvas] = [byId("viewer"), byId("layers"), byId("field")];
+    // Where all parts are one below the other, the page is as long as its panel.
+    const stacked = getComputedStyle(viewer).getPropertyValue("--stacked").trim() === "1";
+    const size = [stacked, viewer.clientWidth, stacked ? window.innerHeight : viewer.clientHeight, layers.offsetHeight];
+    if (size.join() === this.size) return;
+    const { aspect } = this.field.projection;
+    const widest = stacked ? viewer.clientWidth - 16 : byId("middle").clientWidth * largestShare;
+    byId("stage").style.width = stacked ? "" : `${widest}px`;
+    // Twice: buttons for which a narrower field leaves no room go on in a second line.
+    for (let i = 0; i < 2; ++i) {
+      const below = layers.offsetHeight + 6;
+      const most = Math.max(200, stacked ? highestShare * window.innerHeight : byId("middle").clientHeight - below);
+      const width = Math.floor(Math.min(most * aspect, widest));
+      const height = Math.floor(Math.min(most, width / aspect));
+      canvas.style.width = `${width}px`;
+      canvas.style.height = `${height}px`;
+      byId("stage").style.width = stacked ? "" : `${width + 8}px`;
+      this.field.resize(width, height, this.part.box);
+    }
+    size[3] = layers.offsetHeight;
+    this.size = size.join();
     const timeline = byId("timeline");
     for (const id of ["overview", "detail"]) byId(id).style.width = `${timeline.clientWidth}px`;
     byId("overview").style.height = "44px";
@@ -213,6 +223,7 @@ export class Viewer {
     scrub.setAttribute("aria-valuetext", timeText(view.time));
     if (view.panel === "overlaps") this.list.update(view.time, true);
     if (view.panel === "robot") this.robotPanel.update(view);
+    if (view.panel === "goals") this.goalPanel.update(view.time);
     if (view.panel === "plays") this.playPanel.update(view.time);
     if (view.panel === "ball") this.atBallPanel.update(view.time);
     if (view.panel === "segments") this.segmentPanel.update(view.time);
@@ -290,28 +301,36 @@ export class Viewer {
     this.state.set({ side, robot, pair: null });
   }
 
+  // From its beginning: its button at the foot has the focus.
+  private help(): void {
+    const help = byId<HTMLDialogElement>("help");
+    help.showModal();
+    help.scrollTop = 0;
+  }
+
   private keys(): Key[] {
     const key = (keys: string[], shown: string, does: string, run: Key["run"]): Key => ({ keys, shown, does, run });
+    const also = (keys: string[], run: Key["run"]) => key(keys, "", "", run); // in the row above
     return [
       key([" "], "Space", "play or pause", () => this.playback.toggle()),
-      key(["ArrowLeft"], "\u2190", "1 s back", () => this.by(-1)),
-      key(["ArrowRight"], "\u2192", "1 s on", () => this.by(1)),
-      key(["Shift+ArrowLeft"], "Shift \u2190", "0.1 s back", () => this.by(-0.1)),
-      key(["Shift+ArrowRight"], "Shift \u2192", "0.1 s on", () => this.by(0.1)),
-      key(["PageUp"], "Page \u2191", "30 s back", () => this.by(-30)),
-      key(["PageDown"], "Page \u2193", "30 s on", () => this.by(30)),
-      key(["Home"], "Home", "to the beginning", () => this.state.set({ time: this.state.begin })),
-      key(["End"], "End", "to the end", () => this.state.set({ time: this.state.end })),
-      key([","], ",", "previous decision", () => this.stepDecision(-1)),
-      key(["."], ".", "next decision", () => this.stepDecision(1)),
-      key(["[", "p"], "[, p", "previous overlap of the list", () => this.jumpBy(-1)),
-      key(["]", "n"], "], n", "next overlap of the list", () => this.jumpBy(1)),
-      key(["e"], "e", "next event", () => this.stepEvent(1)),
-      key(["E"], "Shift e", "previous event", () => this.stepEvent(-1)),
-      key(["g"], "g", "next goal", () => this.stepGoal(1)),
-      key(["G"], "Shift g", "previous goal", () => this.stepGoal(-1)),
-      key(["+"], "+", "faster", () => this.playback.change(1)),
-      key(["-"], "\u2212", "slower", () => this.playback.change(-1)),
+      key(["ArrowLeft"], "\u2190 \u2192", "1 s back, on", () => this.by(-1)),
+      also(["ArrowRight"], () => this.by(1)),
+      key(["Shift+ArrowLeft"], "Shift \u2190 \u2192", "0.1 s back, on", () => this.by(-0.1)),
+      also(["Shift+ArrowRight"], () => this.by(0.1)),
+      key(["PageUp"], "Page \u2191 \u2193", "30 s back, on", () => this.by(-30)),
+      also(["PageDown"], () => this.by(30)),
+      key(["Home"], "Home, End", "to the beginning, to the end", () => this.state.set({ time: this.state.begin })),
+      also(["End"], () => this.state.set({ time: this.state.end })),
+      key([","], ", .", "previous, next decision", () => this.stepDecision(-1)),
+      also(["."], () => this.stepDecision(1)),
+      key(["[", "p"], "[ ] or p, n", "previous, next role overlap of the list", () => this.jumpBy(-1)),
+      also(["]", "n"], () => this.jumpBy(1)),
+      key(["e"], "e, Shift e", "next, previous event", () => this.stepEvent(1)),
+      also(["E"], () => this.stepEvent(-1)),
+      key(["g"], "g, Shift g", "next, previous goal", () => this.stepGoal(1)),
+      also(["G"], () => this.stepGoal(-1)),
+      key(["+"], "+ \u2212", "faster, slower", () => this.playback.change(1)),
+      also(["-"], () => this.playback.change(-1)),
       key([..."123456789"], "1 \u2013 9", "choose a robot", (event) => this.chooseNumber(Number(event.key))),
       key(["0"], "0", "choose robot 10", () => this.chooseNumber(10)),
       key(
@@ -322,9 +341,10 @@ export class Viewer {
       ),
       key(["Escape"], "Esc", "choose none", () => this.state.choose(null)),
       key(["t"], "t", "the other team", () => this.otherSide()),
-      key(["o"], "o", "list of overlaps", () => this.state.set({ panel: "overlaps" })),
+      key(["o"], "o", "list of role overlaps", () => this.state.set({ panel: "overlaps" })),
       key(["r"], "r", "the chosen robot", () => this.state.set({ panel: "robot" })),
       key(["c"], "c", "comparison", () => this.state.set({ panel: "compare" })),
+      key(["q"], "q", "list of goals, or of all calls", () => this.state.set({ panel: "goals" })),
       key(["a"], "a", "actions with the ball: shots, passes, clearances, duels", () =>
         this.state.set({ panel: "plays" }),
       ),
@@ -335,39 +355,24 @@ export class Viewer {
       key(["k"], "k", "log of plugins, if there is any", () => {
         if (hasLines(this.match)) this.state.set({ panel: "log" });
       }),
-      key(["m"], "m", "sums, events, recording", () => this.state.set({ panel: "match" })),
+      key(["m"], "m", "sums of the match, recording", () => this.state.set({ panel: "match" })),
       ...layerNames.map((layer) => {
-        const [text, name] = layerTexts[layer];
-        const does = layer === "computed" ? `${this.computedText()} on or off` : `${text.toLowerCase()} on or off`;
-        return key([name], name, does, () => byId<HTMLButtonElement>(`layer-${layer}`).click());
+        const { shown, does } = this.layers.keyOf(layer);
+        return key([layerKeys[layer]], shown, does, () => this.layers.toggle(layer));
       }),
       key(["w"], "w", "drawings of plugins, if there are any: all or none", () => {
         if (hasDrawings(this.match)) this.drawings.toggle();
       }),
       key(["h"], "h", "heat map on or off", () => this.heat.toggle()),
-      key(["="], "=", "less time in the timeline", () => this.zoom(0.6)),
-      key(["_"], "_", "more time in the timeline", () => this.zoom(1.7)),
+      key(["z"], "z, Shift z", "less, more of the field (wheel; a drag moves it)", () => this.part.zoom(1.5)),
+      also(["Z"], () => this.part.zoom(1 / 1.5)),
+      key(["x"], "x", "the whole field (double click)", () => this.part.whole()),
+      key(["y"], "y", "the field follows the chosen robot, or the ball", () => this.part.follow()),
+      key(["="], "= _", "less, more time in the timeline", () => this.zoom(0.6)),
+      also(["_"], () => this.zoom(1.7)),
       key(["d"], "d", "light or dark", () => this.theme.toggle()),
-      key(["?"], "?", "this help", () => byId<HTMLDialogElement>("help").showModal()),
+      key(["?"], "?", "this help", () => this.help()),
     ];
-  }
-
-  // What the positioners of both teams compute.
-  private computedText(): string {
-    return listText([...new Set(this.computed.flat())]) || "what a positioner computes";
-  }
-
-  // The button is named after the positioner of the team that is looked at.
-  private showComputed({ side }: View): void {
-    const button = byId<HTMLButtonElement>("layer-computed");
-    const names = this.computed[side];
-    const team = this.match.about.teams[side].name;
-    button.disabled = names.length === 0;
-    setText(button, names.length === 0 ? "No positioner" : shortened(listText(names), mostLettersOfPositioner));
-    button.title =
-      names.length === 0
-        ? `${team} has no positioner`
-        : `${listText(names)} of the chosen robot of ${team} on or off (${layerTexts.computed[1]})`;
   }
 
   private zoom(factor: number): void {
@@ -390,7 +395,7 @@ export class Viewer {
     click("zoom-in", () => this.zoom(0.6));
     click("zoom-out", () => this.zoom(1.7));
     click("theme", () => this.theme.toggle());
-    click("help-open", () => byId<HTMLDialogElement>("help").showModal());
+    click("help-open", () => this.help());
 
     const speed = byId<HTMLSelectElement>("speed");
     for (const value of speeds) speed.append(element("option", { value: String(value) }, `${value}\u00d7`));
@@ -427,31 +432,15 @@ export class Viewer {
       tab.hidden = (panel === "segments" && !hasSegments(this.match)) || (panel === "log" && !hasLines(this.match));
       byId("tabs").append(tab);
     }
-    for (const layer of layerNames) {
-      const [text, key] = layerTexts[layer];
-      const button = element(
-        "button",
-        { type: "button", id: `layer-${layer}`, title: `${text} on or off (${key})` },
-        text,
-      );
-      button.addEventListener("click", () => this.state.toggle(layer));
-      byId("layers").append(button);
-    }
-    byId("field").addEventListener("click", (event) => {
-      const box = byId("field").getBoundingClientRect();
-      const robot = this.field.robotAt(event.clientX - box.left, event.clientY - box.top);
-      if (robot === null) this.state.choose(null);
-      else this.chooseRobot(robot);
-    });
     const keys = this.keys();
     listenToKeys(keys);
     byId("keys").append(
       element(
         "tbody",
         {},
-        ...keys.map((key) =>
-          element("tr", {}, element("td", {}, element("kbd", {}, key.shown)), element("td", {}, key.does)),
-        ),
+        ...keys
+          .filter(({ shown }) => shown !== "")
+          .map(({ shown, does }) => row([element("td", {}, element("kbd", {}, shown)), does])),
       ),
     );
   }
@@ -472,8 +461,8 @@ export class Viewer {
       byId(`panel-${panel}`).hidden = view.panel !== panel;
     }
     this.comparePanel.showBar(view);
-    for (const layer of layerNames) byId(`layer-${layer}`).setAttribute("aria-pressed", String(view.layers[layer]));
-    this.showComputed(view);
+    this.layers.update(view);
+    this.part.update(view);
     this.drawings.update(view);
     this.heat.update(view);
   }

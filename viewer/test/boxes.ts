@@ -102,6 +102,9 @@ export async function troubles(page: Page, wholeNames: boolean): Promise<string[
     const scrolls = (overflow: string) => overflow === "auto" || overflow === "scroll";
     const cuts = (overflow: string) => overflow === "hidden" || overflow === "clip";
     const root = document.querySelector("dialog[open]") ?? document.body;
+    // Where all parts are one below the other the page scrolls down, and only down.
+    const goesOn = scrolls(getComputedStyle(document.body).overflowY);
+    window.scrollTo(0, 0);
     for (const element of root.querySelectorAll("*"))
       if (scrolls(getComputedStyle(element).overflowY)) element.scrollTop = 0;
 
@@ -202,17 +205,26 @@ export async function troubles(page: Page, wholeNames: boolean): Promise<string[
         }
       }
       for (const rect of a.seen) {
-        if (rect.right <= innerWidth + tolerance && rect.left >= -tolerance && rect.bottom <= innerHeight + tolerance)
-          continue;
+        const below = rect.bottom > innerHeight + tolerance && !(goesOn && root === document.body);
+        if (rect.right <= innerWidth + tolerance && rect.left >= -tolerance && !below) continue;
         found.push(`"${a.what}" sticks out of the page (${nameOf(a.element)})`);
         break;
       }
     }
     const page = document.documentElement;
-    if (page.scrollWidth > innerWidth || page.scrollHeight > innerHeight)
+    if (page.scrollWidth > page.clientWidth || (page.scrollHeight > innerHeight && !goesOn))
       found.push(
         `the page is ${page.scrollWidth} x ${page.scrollHeight} px, the window ${innerWidth} x ${innerHeight}`,
       );
+
+    // Canvases lie whole in the parts of the page that hold them.
+    for (const canvas of document.querySelectorAll("canvas")) {
+      const box = canvas.getBoundingClientRect();
+      const room = canvas.parentElement!.getBoundingClientRect();
+      const sticksOut = box.right > innerWidth + tolerance || (!goesOn && box.bottom > innerHeight + tolerance);
+      if (sticksOut || box.right > room.right + tolerance || box.bottom > room.bottom + tolerance)
+        found.push(`canvas ${canvas.id} is cut`);
+    }
 
     if (root !== document.body) return found;
     for (const [canvas, texts] of window.canvasTexts ?? []) {

@@ -8,9 +8,8 @@ import { type Pair, compare, compareEntry, greatestDifference, pairAt, pairNow }
 import { Moment } from "../src/model/game";
 import { knowledgeOf, lookAt } from "../src/model/look";
 import { crowds, inLanes } from "../src/model/lanes";
-import { computedName, computedNames } from "../src/model/positioner";
-import { type Stretch, neighbour } from "../src/model/roles";
-import { groupedStretches } from "../src/model/stretch_list";
+import { computedBy, pointsName } from "../src/model/positioner";
+import { type Stretch, groupedStretches, neighbour } from "../src/model/roles";
 import { countSwitches } from "../src/model/switches";
 import { parsedTime, signed, timeText } from "../src/model/text";
 import { verdict } from "../src/panels/verdict";
@@ -325,10 +324,10 @@ test("from goal to goal", async () => {
   assert.equal(goalStep(match, 26, 1), null, "other events are no goals");
 });
 
-test("what a positioner computed is named after it, and edges only where there are some", async () => {
-  assert.equal(computedName("delaunay_formation", true), "Delaunay edges");
-  assert.equal(computedName("constructor", true), "constructor", "a plugin of any name");
-  assert.deepEqual(computedNames(match, 0), ["Voronoi cells"]);
+test("what a positioner gave is named after it, and edges only where there are some", async () => {
+  assert.equal(pointsName("voronoi", false), "Voronoi nodes");
+  assert.equal(pointsName("constructor", true), "constructor", "a plugin of any name");
+  assert.deepEqual(computedBy(match, 0), { points: ["Nodes, edges"], diagram: true });
   const pairs = metadata();
   const [home, away] = [JSON.parse(pairs.home!), JSON.parse(pairs.away!)];
   home.contexts[0].positioner = "my_positioner";
@@ -340,8 +339,15 @@ test("what a positioner computed is named after it, and edges only where there a
       message: (topic, message) => (topic.startsWith("/decision") ? { ...message, edges: [] } : message),
     }),
   );
-  assert.deepEqual(computedNames(read, 0), ["my_positioner", "Delaunay places"]);
-  assert.deepEqual(computedNames(read, 1), []);
+  assert.deepEqual(computedBy(read, 0), { points: ["my_positioner", "Formation places"], diagram: false });
+  assert.deepEqual(computedBy(read, 1), { points: [], diagram: false });
+});
+
+test("a match opens at its first kick-off, and where it was never played at its beginning", async () => {
+  assert.equal(match.game.kickOff, 10);
+  const never = (topic: string, message: Record<string, unknown>) =>
+    topic === "/game" ? { ...message, phase: "ready" } : message;
+  assert.equal((await readMatch(await recording({ message: never }))).game.kickOff, 0);
 });
 
 test("moments, robots and comparisons go through the address", () => {

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { shownBallRadius } from "../src/field/ball";
 import { drawShapes, styleOf } from "../src/field/drawings";
-import type { Projection } from "../src/field/ground";
+import type { Projection } from "../src/field/projection";
 import { Labels } from "../src/field/labels";
 import { type Wanted, placeNames } from "../src/field/placement";
 import { ellipseOf, ellipsePath } from "../src/field/shapes";

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { around } from "../src/model/around";
+import { around } from "../src/recording/log";
 import { Drawings, layerText } from "../src/model/drawings";
 import { chosenLines, sumText } from "../src/model/log_lines";
 import { readMatch } from "../src/recording/match";

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { around } from "../src/model/around";
+import { around } from "../src/recording/log";
 import { type Segment, reachOf, spacedBytes } from "../src/model/segments";
 import { readMatch } from "../src/recording/match";
 import { recording, seconds } from "./synthetic";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// At the widths of usual screens, in light and dark, in every panel: no text lies over another, none is cut, and
-// nothing sticks out of the page. With REGISTA, which names the program, also in a match that was played.
+// At the widths of a phone, a tablet and usual screens, in light and dark, in every panel: no text lies over another, no
+// text or control is cut, and nothing sticks out of the page or makes it scroll sideways. With REGISTA, which names the program, also in a match that was played.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
@@ -20,13 +20,15 @@ after(() => browser?.close());
 
 const program = process.env.REGISTA ?? "";
 const screens = [
+  { width: 390, height: 844 },
+  { width: 768, height: 1024 },
   { width: 1280, height: 720 },
   { width: 1366, height: 768 },
-  { width: 1440, height: 900 },
   { width: 1920, height: 1080 },
 ];
 const panels = {
-  ...{ o: "Overlaps", r: "Robot", c: "Compare", a: "Actions", f: "At the ball", s: "Segments", k: "Log", m: "Match" },
+  ...{ o: "Role overlaps", r: "Robot", c: "Compare", q: "Goals", a: "Actions", f: "At the ball", s: "Segments" },
+  ...{ k: "Log", m: "Match" },
   ...{ Drawings: "Drawings", Heat: "Heat map", "?": "Help" },
 };
 

@@ -1,47 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is drawn on the field when, and the way from goal to goal, in a real browser.
+// What is drawn on the field when, which part of it is shown, and the way from goal to goal, in a real browser.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import type { Page } from "playwright-core";
-
-import { open, placeOnField, settle, shownTime, synthetic, text } from "./page_kit";
-import { ballAt, metadata, recording } from "./synthetic";
-
-// Colours of the field around a point of the page, by row.
-async function pixels(page: Page, x: number, y: number, reach: number): Promise<number[][][]> {
-  return page.evaluate(
-    ({ x, y, reach }) => {
-      const field = document.getElementById("field") as HTMLCanvasElement;
-      const box = field.getBoundingClientRect();
-      const size = 2 * reach + 1;
-      const copy = document.createElement("canvas");
-      [copy.width, copy.height] = [size, size];
-      const context = copy.getContext("2d")!;
-      context.drawImage(field, Math.round(box.x - x) + reach, Math.round(box.y - y) + reach);
-      const { data } = context.getImageData(0, 0, size, size);
-      return Array.from({ length: size }, (_, row) =>
-        Array.from({ length: size }, (__, column) => [
-          ...data.slice(4 * (row * size + column), 4 * (row * size + column) + 3),
-        ]),
-      );
-    },
-    { x, y, reach },
-  );
-}
-
-// Contrast of two colours by the Web Content Accessibility Guidelines 2.1: 1 to 21.
-function contrast(a: number[], b: number[]): number {
-  const luminance = (colour: number[]) => {
-    const [red, green, blue] = colour.map((part) => {
-      const share = part / 255;
-      return share <= 0.03928 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
-    });
-    return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue!;
-  };
-  const [least, most] = [luminance(a), luminance(b)].sort((x, y) => x - y);
-  return (most! + 0.05) / (least! + 0.05);
-}
+import { contrast, open, pixels, placeOnField, settle, shownTime, synthetic, text } from "./page_kit";
+import { ballAt, posesAt, recording } from "./synthetic";
 
 test("the ball is seen in light and dark, at every size of the window, beside the one that is believed", async () => {
   const { page } = await open(`${await synthetic("ball", await recording())}#t=20.5`);
@@ -90,40 +53,6 @@ test("the ball is seen in light and dark, at every size of the window, beside th
   await page.close();
 });
 
-test("what the positioner computed is a choice, named after it", async () => {
-  const pairs = metadata();
-  const away = JSON.parse(pairs.away!);
-  away.contexts[1].positioner = "";
-  const bytes = await recording({ metadata: { away: JSON.stringify(away) } });
-  const { page } = await open(`${await synthetic("positioner", bytes)}#t=20.5&robot=home/2`);
-  for (const layer of ["belief", "tasks", "trails"]) await page.click(`#layer-${layer}`);
-  await settle(page);
-  const choice = page.locator("#layer-computed");
-  assert.deepEqual([await choice.textContent(), await choice.getAttribute("aria-pressed")], ["Voronoi cells", "false"]);
-  // A waypoint of the made-up decisions.
-  const node = async () => {
-    const { x, y } = await placeOnField(page, [2, -1]);
-    const around = await pixels(page, x, y, 5);
-    return contrast(around[5]![5]!, around[0]![0]!) > 2;
-  };
-  assert.equal(await node(), false);
-  await choice.click();
-  await settle(page);
-  assert.deepEqual([await node(), await choice.getAttribute("aria-pressed")], [true, "true"]);
-  await page.evaluate(() => (document.activeElement as HTMLElement).blur());
-  await page.keyboard.press("v");
-  await settle(page);
-  assert.deepEqual([await node(), await choice.getAttribute("aria-pressed")], [false, "false"]);
-  await page.keyboard.press("t");
-  await settle(page);
-  assert.deepEqual([await choice.textContent(), await choice.isDisabled()], ["No positioner", true]);
-  await page.keyboard.press("v");
-  await page.keyboard.press("t");
-  await settle(page);
-  assert.equal(await choice.getAttribute("aria-pressed"), "false", "no key for what is not there");
-  await page.close();
-});
-
 test("from goal to goal, by keys, by buttons, and in the help", async () => {
   const bytes = await recording({
     message: (topic, message) =>
@@ -131,7 +60,7 @@ test("from goal to goal, by keys, by buttons, and in the help", async () => {
         ? { ...message, event: "goal", side: "away", robot: 2 }
         : message,
   });
-  const { page } = await open(await synthetic("goals", bytes));
+  const { page } = await open(`${await synthetic("goals", bytes)}#t=0`);
   const presses = async (press: () => Promise<void>, expected: string) => {
     await press();
     await settle(page);
@@ -143,7 +72,7 @@ test("from goal to goal, by keys, by buttons, and in the help", async () => {
   await presses(() => page.keyboard.press("Shift+G"), "0:10.0");
   await presses(() => page.click("#next-goal"), "0:25.0");
   await presses(() => page.click("#previous-goal"), "0:10.0");
-  assert.match(await text(page, "#keys"), /gnext goalShift gprevious goal/);
+  assert.match(await text(page, "#keys"), /g, Shift gnext, previous goal/);
   for (const which of ["next", "previous"])
     assert.match((await page.getAttribute(`#${which}-goal`, "title"))!, new RegExp(`^${which} goal \\(.*g\\)$`, "i"));
   // The line of the whole match says what stands under the pointer.
@@ -158,4 +87,102 @@ test("from goal to goal, by keys, by buttons, and in the help", async () => {
   );
   assert.equal(await without.page.locator("#next-goal").isDisabled(), true);
   await without.page.close();
+});
+
+test("the field is zoomed at the pointer, moved by a drag, follows, and is shown whole again", async () => {
+  const { page, complaints } = await open(`${await synthetic("zoom", await recording())}#t=20.5`);
+  for (const layer of ["trails", "tasks"]) await page.click(`#layer-${layer}`);
+  const box = (await page.locator("#field").boundingBox())!;
+  const middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  const pose = (time: number) => posesAt(time)[0][1]!; // of robot 2 of home
+  const home = await placeOnField(page, pose(20.5));
+  // Beside its number the robot is blue.
+  const isBlue = async ({ x, y }: { x: number; y: number }) => {
+    const [red, green, blue] = (await pixels(page, x, y, 0))[0]![0]!;
+    return red! < 40 && Math.abs(green! - 114) < 40 && Math.abs(blue! - 178) < 40;
+  };
+  const shows = async (place: { x: number; y: number }, scale: number) => {
+    await settle(page);
+    return isBlue({ x: place.x - 0.11 * scale, y: place.y });
+  };
+  assert.equal(await shows(home, home.scale), true);
+  await page.mouse.move(home.x, home.y);
+  for (let i = 0; i < 5; ++i) await page.mouse.wheel(0, -200);
+  await settle(page);
+  const zoom = Math.exp(0.002 * 200 * 5);
+  assert.equal(await shows(home, zoom * home.scale), true, "it stays below the pointer, and is larger");
+  assert.equal(await page.evaluate(() => scrollY), 0);
+  // Dragged 80 px to the right and 50 down; a drag chooses no robot.
+  await page.mouse.down();
+  await page.mouse.move(home.x + 40, home.y + 20);
+  await page.mouse.move(home.x + 80, home.y + 50);
+  await page.mouse.up();
+  const drawn = { x: home.x + 80, y: home.y + 50 };
+  assert.equal(await shows(drawn, zoom * home.scale), true);
+  assert.equal(await page.locator("#panel-robot").isVisible(), false);
+  await page.mouse.click(drawn.x, drawn.y);
+  await settle(page);
+  assert.equal(await text(page, "#panel-robot h2"), "blue 2", "a click finds it where it is now");
+  // Follows the chosen robot in time, until it is moved by hand.
+  assert.equal(await text(page, "#field-follow"), "follow 2");
+  await page.keyboard.press("y");
+  for (const time of ["0:20.5", "0:35"]) {
+    await page.fill("#time", time);
+    await page.press("#time", "Enter");
+    assert.equal(await shows(middle, zoom * home.scale), true, `in the middle at ${time}`);
+  }
+  assert.equal(await page.getAttribute("#field-follow", "aria-pressed"), "true");
+  await page.mouse.move(middle.x, middle.y);
+  await page.mouse.down();
+  await page.mouse.move(middle.x + 30, middle.y, { steps: 3 });
+  await page.mouse.up();
+  await settle(page);
+  assert.equal(await page.getAttribute("#field-follow", "aria-pressed"), "false");
+  assert.equal(await shows({ x: middle.x + 30, y: middle.y }, zoom * home.scale), true);
+  // The whole field: by a key, by a double click, by its button.
+  const whole = await placeOnField(page, pose(35));
+  const resets = [
+    () => page.keyboard.press("x"),
+    () => page.mouse.dblclick(box.x + 5, box.y + box.height - 5),
+    () => page.click("#field-whole"),
+  ];
+  for (const reset of resets) {
+    await reset();
+    assert.equal(await shows(whole, whole.scale), true);
+    assert.equal(await page.locator("#field-whole").isDisabled(), true);
+    await page.click("#field-in");
+    assert.equal(await page.locator("#field-whole").isDisabled(), false);
+    await page.evaluate(() => (document.activeElement as HTMLElement).blur());
+  }
+  await page.keyboard.press("Shift+Z");
+  assert.equal(await page.locator("#field-whole").isDisabled(), true);
+  for (const does of ["z, Shift zless, more of the field", "xthe whole field", "ythe field follows"])
+    assert.match(await text(page, "#keys"), new RegExp(does));
+  assert.deepEqual(complaints, []);
+  await page.close();
+});
+
+test("two fingers zoom, and one moves the field", async () => {
+  const { page } = await open(`${await synthetic("fingers", await recording())}#t=20.5`);
+  const box = (await page.locator("#field").boundingBox())!;
+  const client = await page.context().newCDPSession(page);
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const touch = (type: string, ...xs: number[]) =>
+    client.send("Input.dispatchTouchEvent", {
+      type: type as "touchStart",
+      touchPoints: xs.map((at, id) => ({ x: at, y, id })),
+    });
+  await touch("touchStart", x - 20, x + 20);
+  for (const reach of [30, 50, 80]) await touch("touchMove", x - reach, x + reach);
+  await touch("touchEnd");
+  await settle(page);
+  const zoomed = () => page.locator("#field.zoomed").count();
+  assert.equal(await zoomed(), 1);
+  const before = await page.screenshot({ clip: box });
+  await touch("touchStart", x);
+  for (const reach of [10, 40, 60]) await touch("touchMove", x - reach);
+  await touch("touchEnd");
+  await settle(page);
+  assert.notDeepEqual(await page.screenshot({ clip: box }), before);
+  await page.close();
 });

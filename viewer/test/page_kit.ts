@@ -78,7 +78,7 @@ export async function messages(file: string): Promise<Map<string, Json[]>> {
   reader.append(new Uint8Array(readFileSync(file)));
   const topics = new Map<number, string>();
   const found = new Map<string, Json[]>();
-  for (let record; (record = reader.nextRecord()) !== undefined; ) {
+  for (let record; (record = reader.nextRecord()) !== undefined;) {
     if (record.type === "Channel") topics.set(record.id, record.topic);
     if (record.type !== "Message") continue;
     const topic = topics.get(record.channelId)!;
@@ -126,4 +126,39 @@ export async function colourAt(page: Page, x: number, y: number): Promise<number
     context.drawImage(field, -Math.round((x - box.x) * scale), -Math.round((y - box.y) * scale));
     return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
   }, place);
+}
+
+// Colours of the field around a point of the page, by row.
+export async function pixels(page: Page, x: number, y: number, reach: number): Promise<number[][][]> {
+  return page.evaluate(
+    ({ x, y, reach }) => {
+      const field = document.getElementById("field") as HTMLCanvasElement;
+      const box = field.getBoundingClientRect();
+      const size = 2 * reach + 1;
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [size, size];
+      const context = copy.getContext("2d")!;
+      context.drawImage(field, Math.round(box.x - x) + reach, Math.round(box.y - y) + reach);
+      const { data } = context.getImageData(0, 0, size, size);
+      return Array.from({ length: size }, (_, row) =>
+        Array.from({ length: size }, (__, column) => [
+          ...data.slice(4 * (row * size + column), 4 * (row * size + column) + 3),
+        ]),
+      );
+    },
+    { x, y, reach },
+  );
+}
+
+// Contrast of two colours by the Web Content Accessibility Guidelines 2.1: 1 to 21.
+export function contrast(a: number[], b: number[]): number {
+  const luminance = (colour: number[]) => {
+    const [red, green, blue] = colour.map((part) => {
+      const share = part / 255;
+      return share <= 0.03928 ? share / 12.92 : ((share + 0.055) / 1.055) ** 2.4;
+    });
+    return 0.2126 * red! + 0.7152 * green! + 0.0722 * blue!;
+  };
+  const [least, most] = [luminance(a), luminance(b)].sort((x, y) => x - y);
+  return (most! + 0.05) / (least! + 0.05);
 }

@@ -116,7 +116,7 @@ test("of several files the one chosen last counts", async () => {
     await page.waitForFunction(() => document.body.dataset.state === "ready");
     await page.waitForTimeout(300);
     assert.equal(await text(page, "#home-name"), names[hidden.length - 1]);
-    assert.equal(await page.locator('[role="tab"]:visible').count(), 6, "one viewer");
+    assert.equal(await page.locator('[role="tab"]:visible').count(), 7, "one viewer");
     assert.deepEqual(complaints, []);
     await page.close();
   }

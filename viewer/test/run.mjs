@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs the viewer's tests: node run.mjs [model|page]. They are written in TypeScript, which older versions of Node do
-// not read, so each file is bundled first.
+// Runs the viewer's tests: node run.mjs [BEGINNING], a regular expression for the beginning of their files' names, such as
+// model, page or page_boxes. They are written in TypeScript, which older versions of Node do not read, so each file is
+// bundled first.
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readdirSync, rmSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -10,9 +11,9 @@ import { build } from "esbuild";
 
 const here = dirname(fileURLToPath(import.meta.url));
 const wanted = process.argv[2] ?? "";
-const files = readdirSync(here).filter((name) => name.endsWith(".test.ts") && name.startsWith(wanted));
+const files = readdirSync(here).filter((name) => name.endsWith(".test.ts") && name.search(wanted) === 0);
 if (files.length === 0) {
-  console.error("usage: node run.mjs [model|page]");
+  console.error(`no test begins with ${wanted}; usage: node run.mjs [model|page]`);
   process.exit(2);
 }
 

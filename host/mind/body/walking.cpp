@@ -7,19 +7,18 @@
 namespace regista::mind {
 namespace {
 
-constexpr double personal_space = 0.12;   // m between two torsos, beyond which nobody feels pushed
-constexpr double too_close = 0.06;        // m inside of that: step back
-constexpr double post_space = 0.08;       // m between torso and goal post
-constexpr double step_back = 0.10;        // m/s
-constexpr double look_ahead = 1.2;        // m of the way that is checked for obstacles
-constexpr double walk_turned_from = 0.7;  // m: nearer targets are approached without turning the back to them
+constexpr double personal_space = 0.12;   // m between two torsos; the robot keeps this gap to other robots
+constexpr double too_close = 0.06;        // m; a robot steps back if the gap is less than personal_space - too_close
+constexpr double post_space = 0.08;       // m; gap between torso and goal post
+constexpr double step_back = 0.10;        // m/s; speed of stepping back
+constexpr double look_ahead = 1.2;        // m; the robot ignores obstacles that are farther along its way
+constexpr double walk_turned_from = 0.7;  // m; to a nearer target the robot walks in its final heading
 constexpr double turn_gain = 3.0;         // 1/s
 constexpr double distance_gain = 1.5;     // 1/s
-constexpr double arrived = 0.08;          // m
-constexpr double heading_reached = 0.1;   // rad
+constexpr double arrived = 0.08;          // m; the robot is at its target if it is nearer
+constexpr double heading_reached = 0.1;   // rad; the robot does not turn if its heading error is smaller
 
-// Takes out of a velocity (field frame) what would push a robot that stands close, and steps back from one that is
-// closer than that.
+// Returns the velocity (field frame) without the part towards obstacles. Very close obstacles make the robot step back.
 Vector2d yielding(Vector2d velocity, const Vector2d& own, std::span<const Obstacle> obstacles) {
   for (const Obstacle& obstacle : obstacles) {
     const Vector2d offset = obstacle.position - own;
@@ -33,12 +32,26 @@ Vector2d yielding(Vector2d velocity, const Vector2d& own, std::span<const Obstac
   return velocity;
 }
 
+Walk walk_to_pose(const Body& body, const regista_action& action) {
+  Obstacles obstacles;
+  if ((action.walk & REGISTA_WALK_STRAIGHT) == 0) obstacles = obstacles_around(body);
+  for (const regista_disc& disc : std::span(action.avoid).first(action.avoid_count)) {
+    obstacles.add({disc.x, disc.y}, disc.radius);
+  }
+  const bool brisk = (action.walk & REGISTA_WALK_BRISK) != 0;
+  return walk_to(body, {action.pose[0], action.pose[1], action.pose[2]}, obstacles.list(), brisk);
+}
+
+constexpr double remembered_for = 1.0;  // s; in this time a robot walks about its own diameter
+constexpr double same_within = 0.35;    // m; two positions closer together belong to the same robot
+constexpr double near = 2.0;            // m; RobotMemory ignores robots that are farther away
+
 }  // namespace
 
-// The ellipse of what the walk can do.
+// The allowed velocities form an ellipse.
 Walk limited(const config::Walk& walk, Vector2d velocity, double turn) {
   const double along = velocity.x() >= 0.0 ? walk.forward : walk.backward;
-  // A direction in which the robot cannot walk at all.
+  // A limit of 0 means that the robot cannot walk in this direction.
   if (along == 0.0) velocity.x() = 0.0;
   if (walk.sideways == 0.0) velocity.y() = 0.0;
   const auto share_of = [](double speed, double limit) { return limit > 0.0 ? speed * speed / (limit * limit) : 0.0; };
@@ -58,7 +71,7 @@ Obstacles obstacles_around(const Body& body) {
   for (const regista_robot& robot : body.world.robots) {
     if ((robot.flags & REGISTA_ROBOT_ACTIVE) == 0 || robot.number == body.own_number) continue;
     const Vector2d position(robot.pose[0], robot.pose[1]);
-    // Old news of a teammate's place are worse than none.
+    // A position older than 3 s is left out, because the teammate may be anywhere.
     if (robot.age < 3.0 && (position - body.frame.origin()).squaredNorm() < 2.25) out.add(position, radius);
   }
   const config::FieldSize& field = body.rules.field;
@@ -84,25 +97,25 @@ Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Ob
     const Vector2d offset = obstacle.position - from;
     const double along = offset.dot(ahead), across = offset.dot(left);
     if (along <= 0.0 || std::abs(across) >= obstacle.radius || along >= first_along) continue;
-    // Who stands on the target itself cannot be walked around.
+    // The way cannot avoid an obstacle that is on the target itself.
     if ((obstacle.position - to).norm() < 0.5 * obstacle.radius) continue;
     first = &obstacle;
     first_along = along;
   }
   if (first == nullptr) return to;
   const double across = (first->position - from).dot(left);
-  const double side = across > 0.0 ? -1.0 : 1.0;  // pass where there is less to go around
+  const double side = across > 0.0 ? -1.0 : 1.0;  // the way on this side of the obstacle is shorter
   return first->position + left * (side * first->radius * 1.1);
 }
 
 Vector2d around_goals(const config::FieldSize& field, double radius, const Vector2d& from, const Vector2d& to) {
   const double line = field.length / 2.0, post = (field.goal_width + field.post_diameter) / 2.0;
   const double room = radius + field.post_diameter / 2.0 + 2.0 * post_space;
-  const double mouth = std::max(0.0, post - radius - post_space);  // half of it, for a robot's centre
+  const double mouth = std::max(0.0, post - radius - post_space);  // m; largest |y| of a robot's centre in the mouth
   const auto beyond = [&](const Vector2d& point) { return std::abs(point.x()) > line; };
   const auto in_goal = [&](const Vector2d& point) { return beyond(point) && std::abs(point.y()) < post; };
   const auto in_mouth = [&](double y) { return std::clamp(y, -mouth, mouth); };
-  // Beside the outside of the goal, or in it, but not in its side.
+  // Moves a target that is too near to a side net away from the net. The target stays on its side of the net.
   Vector2d target = to;
   if (in_goal(to)) {
     const double deepest = line + std::max(0.0, field.goal_depth - radius - post_space);
@@ -111,7 +124,7 @@ Vector2d around_goals(const config::FieldSize& field, double radius, const Vecto
   if (beyond(to) && !in_goal(to)) target.y() = std::copysign(std::max(post + room, std::abs(to.y())), to.y());
   const bool same_end = from.x() * target.x() > 0.0;
   const double end = std::abs(from.x()) > line - room ? from.x() : target.x();
-  const double before = std::copysign(line - room, end);  // in front of that goal line
+  const double before = std::copysign(line - room, end);  // x of a place in front of the goal line
   if (in_goal(from)) return in_goal(target) && same_end ? target : Vector2d(before, in_mouth(from.y()));
   const auto at_line = [&](const Vector2d& point) { return std::abs(point.x()) > line - room + 0.01; };
   if (at_line(from) && std::abs(from.y()) >= post) {
@@ -122,7 +135,7 @@ Vector2d around_goals(const config::FieldSize& field, double radius, const Vecto
   }
   if (at_line(from) && std::abs(target.y()) >= post && !(at_line(target) && same_end))
     return {before, in_mouth(from.y())};
-  // In front of the line: past the posts at some distance, before going on.
+  // The robot is in front of the goal line. On a way behind the line, the robot keeps a distance from the posts.
   if (!at_line(target)) return target;
   const double edge = in_goal(target) ? mouth : beyond(target) ? post + room - 0.02 : post;
   const auto outside = [&](double y) { return std::abs(y) > edge + 0.01; };
@@ -145,12 +158,62 @@ Walk walk_to(const Body& body, const Pose& target, std::span<const Obstacle> obs
   const Vector2d next = way_around(body.frame.origin(), goal, obstacles);
   const Vector2d direction = body.frame.direction_to_robot(next - body.frame.origin());
   const double wanted = distance > walk_turned_from ? angle_of(direction) : wrap(target.heading - body.pose.heading);
-  // Far targets: turn first, so that the walk is forward, the fastest there is.
+  // For a far target the robot first turns to it, because walking forward is fastest.
   const double facing = distance > walk_turned_from ? std::max(0.0, std::cos(wanted)) : 1.0;
   const double speed = brisk ? walk.forward : std::min(walk.forward, distance_gain * distance);
   const Vector2d velocity = (next - body.frame.origin()).normalized() * (speed * facing);
   return limited(walk, body.frame.direction_to_robot(yielding(velocity, body.frame.origin(), obstacles)),
                  turn_gain * wanted);
+}
+
+Command carry_out(const Body& body, const regista_action& action) {
+  Command command;
+  command.head_yaw = action.gaze;
+  if (action.kick != REGISTA_NO_KICK) {
+    command.kick = KickRequest{action.kick, action.kick_direction, action.kick_distance};
+    return command;
+  }
+  const Vector2d wanted(action.velocity[0], action.velocity[1]);
+  if (action.motion == REGISTA_MOTION_VELOCITY) command.walk = limited(body.robot.walk, wanted, action.velocity[2]);
+  if (action.motion == REGISTA_MOTION_WALK_TO) {
+    command.walk = walk_to_pose(body, action);
+    if ((action.walk & REGISTA_WALK_CREEP) != 0) {
+      command.walk = limited(body.robot.walk, wanted, command.walk.turn);
+    }
+  }
+  return command;
+}
+
+void RobotMemory::update(const Percepts& percepts, const Frame2& own, double touching) {
+  while (count_ > 0 && percepts.time - times_[0] > remembered_for) forget(0);  // entry 0 is the oldest
+  for (const RobotSighting& seen : percepts.robots) {
+    if (seen.position.squaredNorm() < near * near) remember(own.to_field(seen.position), percepts.time);
+  }
+  if (percepts.contact) {
+    const double bearing = *percepts.contact;
+    remember(own.to_field(touching * Vector2d(std::cos(bearing), std::sin(bearing))), percepts.time);
+  }
+}
+
+void RobotMemory::remember(const Vector2d& position, double time) {
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (times_[i] < time && (positions_[i] - position).squaredNorm() < same_within * same_within) {
+      forget(i);
+      break;
+    }
+  }
+  if (count_ == most) forget(0);
+  positions_[count_] = position;
+  times_[count_] = time;
+  ++count_;
+}
+
+void RobotMemory::forget(std::size_t index) {
+  for (std::size_t i = index + 1; i < count_; ++i) {
+    positions_[i - 1] = positions_[i];
+    times_[i - 1] = times_[i];
+  }
+  --count_;
 }
 
 }  // namespace regista::mind

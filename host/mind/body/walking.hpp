@@ -1,25 +1,40 @@
 // SPDX-License-Identifier: MIT
-// Walking to a pose: straight and fast from afar, sideways near the target, around whoever stands in the way. A robot
-// yields: it never pushes (pushing is punished by the rules).
+// Converts a behaviour's action to the command for the body. A robot walks straight and fast to a far target, sideways
+// to a near target, and around robots in the way. A robot never pushes other robots, because the rules punish pushing.
+// SI units, field frame.
 #pragma once
 
+#include <regista/abi.h>
+
+#include <array>
 #include <span>
 
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "mind/body/body.hpp"
-#include "mind/command.hpp"
+#include "mind/action.hpp"
 #include "mind/geometry.hpp"
+#include "mind/percepts.hpp"
+#include "mind/world/world_model.hpp"
 
 namespace regista::mind {
 
-// A disc to keep away from; field frame.
-struct Obstacle {
-  Vector2d position{0, 0};
-  double radius = 0.0;  // distance that the own centre should keep
+// What the functions of this header need to know: the robot's abilities, its pose, and robots that may be in its way.
+struct Body {
+  const config::Rules& rules;
+  const config::Robot& robot;
+  const DistributedWorldModel& world;  // the world model `mine` of this robot
+  int own_number = 0;
+  Pose pose;
+  Frame2 frame;                           // converts between the robot frame of `pose` and the field frame
+  std::span<const Vector2d> robots_near;  // robots of both teams; see RobotMemory::positions()
 };
 
-// Up to so many obstacles are looked at, the nearest ones.
+struct Obstacle {  // A disc that the robot should avoid; field frame.
+  Vector2d position{0, 0};
+  double radius = 0.0;  // m; the robot's centre should keep this distance from `position`
+};
+
+// A list of at most 24 obstacles. add() ignores an obstacle if the list is full.
 class Obstacles {
  public:
   static constexpr std::size_t most = 24;
@@ -33,20 +48,43 @@ class Obstacles {
   std::size_t count_ = 0;
 };
 
-// Robots that are seen now, opponents and teammates that are believed to be near, and goal posts.
+// Returns Body::robots_near, goal posts, and those opponents and teammates that the world model places near the robot.
 Obstacles obstacles_around(const Body& body);
 
-// The point to walk to next on the way from `from` to `to`: `to` itself, or beside the first obstacle in the way.
+// Returns the next point on the way from `from` to `to`: a point beside the first obstacle in the way, or `to` itself.
 Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
 
-// The point to walk to first on the way from `from` to `to`, so that nobody walks against the side of a goal: into it
-// and out of it leads its mouth, behind the line beside it a way around the post. `radius`: of the robot.
+// Returns the next point on a way from `from` to `to` that avoids the side nets of the goals. Ways into and out of a
+// goal lead through its mouth. Ways to places behind the goal line lead around the post. `radius`: radius of the robot.
 Vector2d around_goals(const config::FieldSize& field, double radius, const Vector2d& from, const Vector2d& to);
 
-// Velocity towards a pose. `brisk`: do not slow down to arrive.
+// Returns the velocity with which to walk to `target`. `brisk`: the robot does not slow down before the target.
 Walk walk_to(const Body& body, const Pose& target, std::span<const Obstacle> obstacles, bool brisk = false);
 
-// A wanted velocity (robot frame) and turn, scaled into what the walk can do.
+// Scales a wanted velocity (m/s, robot frame) and turn (rad/s) down to the limits of the walk.
 Walk limited(const config::Walk& walk, Vector2d velocity, double turn);
+
+// Converts an action to a command. plugin::Behaviour must have checked the action. A robot that kicks does not walk.
+Command carry_out(const Body& body, const regista_action& action);
+
+// --- RobotMemory remembers robots of both teams for one second, so that the own robot walks around these robots. The
+// camera misses every third robot or looks elsewhere, but a robot seen a second ago is mostly still at its place.
+
+class RobotMemory {
+ public:
+  static constexpr std::size_t most = 16;
+  // `own`: frame of the own pose at the time of the percepts. touching: m between the centres of touching robots.
+  void update(const Percepts& percepts, const Frame2& own, double touching);
+  // Returns the remembered positions in the field frame, in the order of their last sightings.
+  std::span<const Vector2d> positions() const { return {positions_.data(), count_}; }
+
+ private:
+  void remember(const Vector2d& position, double time);
+  void forget(std::size_t index);
+
+  std::array<Vector2d, most> positions_;
+  std::array<double, most> times_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace regista::mind

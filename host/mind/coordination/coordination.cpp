@@ -2,32 +2,164 @@
 #include "mind/coordination/coordination.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
-
-#include "mind/coordination/context_provider.hpp"
-#include "mind/coordination/target.hpp"
 
 namespace regista::mind {
 namespace {
 
-template <class T>
-regista_span span(const std::vector<T>& elements) {
-  return {elements.data(), static_cast<std::uint32_t>(elements.size()), sizeof(T)};
+// Returns the point on the line from `from` to `to` that is `distance` before `to`; `from` if the line is shorter.
+Vector2d on_line(const Vector2d& from, const Vector2d& to, double distance) {
+  const Vector2d back = from - to;
+  const double length = back.norm();
+  return length <= distance ? from : Vector2d(to + back * (distance / length));
 }
 
-void place_task(regista_task& task, const config::TargetRule& rule, const Anchors& anchors) {
-  const Vector2d point = target_of(rule, anchors);
+// Returns the point where the ray from `from` through `towards` first meets the circle. If the ray misses the circle,
+// returns the circle's point nearest to `from`. If `from` is inside the circle, returns the circle's point between the
+// directions of `from` and `towards`, so that rules with different `towards` give different points.
+Vector2d on_circle(const Vector2d& from, const Vector2d& towards, const Vector2d& centre, double radius) {
+  const Vector2d out = from - centre;
+  const double distance = out.norm();
+  const Vector2d fallback = distance > 0.0 ? Vector2d(centre + out * (radius / distance)) : from;
+  if (distance <= radius) {
+    const Vector2d side = out + (towards - centre);
+    return side.norm() > 0.0 ? Vector2d(centre + side.normalized() * radius) : fallback;
+  }
+  const Vector2d along = towards - from;
+  const double a = along.squaredNorm(), b = out.dot(along), c = out.squaredNorm() - radius * radius;
+  const double discriminant = b * b - a * c;
+  if (a == 0.0 || discriminant < 0.0) return fallback;
+  const double t = (-b - std::sqrt(discriminant)) / a;
+  return t >= 0.0 ? Vector2d(from + t * along) : fallback;
+}
+
+// sum += weight * term. __restrict says that the arrays do not overlap, so the compiler can add two entries at once.
+void add(double weight, std::span<const double> term, std::span<double> sum) {
+  const double* const __restrict from = term.data();
+  double* const __restrict to = sum.data();
+  for (std::size_t i = 0; i < term.size(); ++i) to[i] += weight * from[i];
+}
+
+void place_task(regista_task& task, const config::TargetRule& rule, const NamedPoints& points) {
+  const Vector2d point = target_of(rule, points);
   task.before[0] = task.after[0] = point.x();
   task.before[1] = task.after[1] = point.y();
 }
 
-// Of a task that has its place.
-void face_task(regista_task& task, const config::TargetRule& rule, const Anchors& anchors) {
-  const Vector2d facing = anchors.at(rule.facing) - Vector2d(task.before[0], task.before[1]);
+// Turns the task's heading towards the place that the rule names. The task's position must already be set.
+void face_task(regista_task& task, const config::TargetRule& rule, const NamedPoints& points) {
+  const Vector2d facing = points.at(rule.facing) - Vector2d(task.before[0], task.before[1]);
   task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
 }
 
+// A smaller difference is noise of sensing, not an event.
+constexpr double ball_moved_at_least = 0.3, pose_moved_at_least = 0.2;  // m
+// A ball that the robot did not see for a shorter time was not lost.
+constexpr double ball_missed_at_least = 1.0;  // s
+constexpr int goalkeeper = 1;                 // shirt number; the rules number the goalkeeper 1
+
 }  // namespace
+
+NamedPoints::NamedPoints(const config::FieldSize& field, double rolling_deceleration,
+                         const DistributedWorldModel& world)
+    : field_(&field), ball_known_(world.ball_known()), ball_(world.ball()), ball_rest_(ball_) {
+  const Vector2d velocity = world.ball_velocity();
+  ball_rest_ += velocity * (velocity.norm() / (2.0 * rolling_deceleration));
+  // A ball that leaves the field is put back on the line.
+  const Vector2d corner(field.length / 2.0, field.width / 2.0);
+  ball_rest_ = ball_rest_.cwiseMin(corner).cwiseMax(-corner);
+}
+
+Vector2d NamedPoints::at(const config::Place& place) const {
+  using enum config::Anchor;
+  const double goal = field_->length / 2.0, mark = goal - field_->penalty_mark_distance,
+               post = field_->goal_width / 2.0;
+  switch (place.anchor) {
+    case ball:
+      return ball_;
+    case ball_rest:
+      return ball_rest_;
+    case own_goal:
+      return {-goal, 0.0};
+    case opponent_goal:
+      return {goal, 0.0};
+    case own_left_post:
+      return {-goal, post};
+    case own_right_post:
+      return {-goal, -post};
+    case centre:
+      return {0.0, 0.0};
+    case own_penalty_mark:
+      return {-mark, 0.0};
+    case opponent_penalty_mark:
+      return {mark, 0.0};
+    case point:
+      return {place.point[0], place.point[1]};
+  }
+  return {0.0, 0.0};
+}
+
+Vector2d target_of(const config::TargetRule& rule, const NamedPoints& points) {
+  if (!points.ball_known() && rule.without_ball) return points.at(*rule.without_ball);
+  Vector2d point;
+  if (rule.on_line) {
+    point = on_line(points.at(rule.on_line->from), points.at(rule.on_line->to), rule.on_line->distance_from_to);
+  } else if (rule.on_circle) {
+    const auto& circle = *rule.on_circle;
+    const Vector2d from = points.at(circle.from), centre = points.at(circle.centre);
+    const double span = circle.largest_distance - circle.least_distance;
+    const double share =
+        span > 0.0 ? std::clamp(((from - centre).norm() - circle.least_distance) / span, 0.0, 1.0) : 0.0;
+    point = on_circle(from, points.at(circle.towards), centre,
+                      circle.least_radius + share * (circle.largest_radius - circle.least_radius));
+  } else {
+    point = points.at(rule.at.value_or(config::Place{}));
+  }
+  point += Vector2d(rule.shift[0], rule.shift[1]);
+  if (rule.lateral) {
+    const double ball_y = points.at({config::Anchor::ball, {}}).y();
+    point.y() = ball_y >= 0.0 ? -*rule.lateral : *rule.lateral;
+  }
+  if (rule.within) {
+    const auto& [x_min, x_max, y_min, y_max] = *rule.within;
+    point.x() = std::clamp(point.x(), x_min, x_max);
+    point.y() = std::clamp(point.y(), y_min, y_max);
+  }
+  return point;
+}
+
+void UtilityEstimationMatrix::estimate(std::span<plugin::Utility> plugins, std::span<const TermPart> terms,
+                                       const regista_frame& frame, std::span<const std::int32_t> active,
+                                       std::span<const regista_task> columns) {
+  assert(plugins.size() == terms.size());
+  const std::size_t entries = active.size() * columns.size();
+  values_.assign(entries, 0.0);
+  terms_.resize(plugins.size());
+  for (std::size_t k = 0; k < plugins.size(); ++k) {
+    const std::span<const double> scored = plugins[k].score(frame, active.size(), columns.size());
+    terms_[k].assign(scored.begin(), scored.end());
+    add(terms[k].weight, scored, values_);
+  }
+  forbid(active, columns);
+}
+
+void UtilityEstimationMatrix::forbid(std::span<const std::int32_t> active, std::span<const regista_task> columns) {
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const int bound = columns[j].robot;
+    if (bound == 0) continue;
+    for (std::size_t i = 0; i < active.size(); ++i) {
+      double* const row = values_.data() + i * columns.size();
+      if (active[i] != bound) {
+        row[j] = forbidden;
+        continue;
+      }
+      for (std::size_t other = 0; other < columns.size(); ++other) {
+        if (columns[other].robot != bound) row[other] = forbidden;
+      }
+    }
+  }
+}
 
 Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<ContextParts> parts, FrameParts made)
     : plan_(&plan),
@@ -48,13 +180,13 @@ const config::Context& Coordination::context() const {
   return plan_->team().contexts[static_cast<std::size_t>(decision_.context)];
 }
 
-// The world of a step; plugins called next see it as frame.world().
+// Returns the world of a step, and makes it frame.world() for the plugins of this step.
 const DistributedWorldModel& Coordination::world_for(config::Knowledge knowledge, const Worlds& worlds) {
   decision_.frame.knowledge = raw(worlds.answering(knowledge));
   return worlds.of(knowledge);
 }
 
-// The rules let the task move to a waypoint.
+// Whether the team's document allows that the task moves to a waypoint.
 bool Coordination::moves(const regista_task& task) const {
   return context().tasks.offset_at_most > 0.0 && plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
 }
@@ -80,7 +212,7 @@ const Decision& Coordination::decide_in(int context, const DistributedWorldModel
 
 void Coordination::begin(const Worlds& worlds, double time, std::uint64_t tick) {
   regista_frame& frame = decision_.frame;
-  // "Unknown" is an answer of an assigner, no task.
+  // REGISTA_UNKNOWN_TASK becomes -1, because an unknown task is not a previous task.
   std::ranges::transform(decision_.role_of, previous_.begin(), [](std::int32_t id) { return std::max(id, -1); });
   frame = {};
   frame.size = sizeof frame;
@@ -89,7 +221,7 @@ void Coordination::begin(const Worlds& worlds, double time, std::uint64_t tick) 
   frame.time = time;
   frame.mine = &worlds.mine().raw;
   frame.common = &worlds.common().raw;
-  frame.previous = span(previous_);
+  frame.previous = abi_span(previous_);
   frame.context = decision_.context;
 }
 
@@ -115,7 +247,7 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
 void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge) {
   if (listed_in_ == knowledge) return;
   listed_in_ = knowledge;
-  const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
+  const NamedPoints points(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
   const int list = context().role_list;
   decision_.tasks.clear();
   const auto& roles = plan_->team().role_lists[static_cast<std::size_t>(list)].roles;
@@ -130,23 +262,23 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
     task.flags = (role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u) |
                  (context().tasks.walk_along_edges ? std::uint32_t{REGISTA_TASK_ALONG_EDGES} : 0u);
     const config::TargetRule& rule = context().target_of(i, role);
-    place_task(task, rule, anchors);
-    if (made_.facings_of_all_tasks()) face_task(task, rule, anchors);
+    place_task(task, rule, points);
+    if (made_.facings_of_all_tasks) face_task(task, rule, points);
   }
-  decision_.frame.tasks = span(decision_.tasks);
+  decision_.frame.tasks = abi_span(decision_.tasks);
 }
 
-// Those that are kept are played where this world has them, and face what it has there.
+// Computes positions and headings of the kept tasks in the world `knowledge`.
 void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge) {
-  const bool listed = listed_in_ == knowledge, face = made_.facings() && !(listed && made_.facings_of_all_tasks());
+  const bool listed = listed_in_ == knowledge, face = made_.facings && !(listed && made_.facings_of_all_tasks);
   if (listed && !face) return;
-  const Anchors anchors(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
+  const NamedPoints points(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
   for (const std::size_t index : decision_.kept) {
     regista_task& task = decision_.tasks[index];
     const RoleRow& row = plan_->roles()[static_cast<std::size_t>(task.id)];
     const config::TargetRule& rule = context().target_of(static_cast<std::size_t>(row.priority), *row.role);
-    if (!listed) place_task(task, rule, anchors);
-    if (face) face_task(task, rule, anchors);
+    if (!listed) place_task(task, rule, points);
+    if (face) face_task(task, rule, points);
   }
 }
 
@@ -186,21 +318,21 @@ void Coordination::offset_tasks() {
     regista_task& task = decision_.columns.emplace_back(decision_.tasks[index]);
     if (moves(task)) offset(task, static_cast<int>(index), waypoints, context().tasks.offset_at_most);
   }
-  // From here on the frame's tasks are the kept ones, and waypoints name tasks by their place in the frame.
+  // The frame's tasks become the kept tasks. Waypoints must therefore name tasks by index in `columns`, not in `tasks`.
   for (regista_waypoint& waypoint : decision_.placement.points) {
     if (waypoint.task < 0) continue;
     const auto place = std::ranges::find(decision_.kept, static_cast<std::size_t>(waypoint.task));
     waypoint.task = place == decision_.kept.end() ? -1 : static_cast<std::int32_t>(place - decision_.kept.begin());
   }
-  decision_.frame.tasks = span(decision_.columns);
-  decision_.frame.waypoints = span(waypoints);
-  decision_.frame.edges = span(decision_.placement.edges);
+  decision_.frame.tasks = abi_span(decision_.columns);
+  decision_.frame.waypoints = abi_span(waypoints);
+  decision_.frame.edges = abi_span(decision_.placement.edges);
 }
 
-// Straight walk at full speed, once the robot stands. Turning is left out: it takes a second at most, and is what the
-// bearing term of a utility weighs.
+// Computes for each robot and task the time of a straight walk at full speed, plus the time until the robot stands.
+// Ignores turning, because a turn takes at most one second and a bearing term of the utility can weigh turning.
 void Coordination::estimate_times(const DistributedWorldModel& world) {
-  if (!made_.times()) return;
+  if (!made_.times) return;
   const std::size_t rows = world.active.size(), columns = decision_.columns.size();
   const double slowness = 1.0 / plan_->robot().walk.forward;
   decision_.time_to_task.resize(rows * columns);
@@ -236,7 +368,7 @@ void Coordination::assign(const DistributedWorldModel& world) {
 
 void Coordination::take_own_role() {
   int role = decision_.role_of[static_cast<std::size_t>(own_number_ - 1)];
-  // While the others have not agreed, the robot goes on with what it does, if that still exists.
+  // While the assignment is unknown, the robot keeps its role, if the role's task is among the kept tasks.
   if (role == REGISTA_UNKNOWN_TASK) role = decision_.own_role;
   decision_.own_task = nullptr;
   for (regista_task& task : decision_.columns) {
@@ -260,6 +392,63 @@ void Coordination::forget_roles() {
   decision_.utility.clear();
   std::ranges::fill(decision_.role_of, REGISTA_NO_TASK);
   take_own_role();
+}
+
+int choose_context(std::span<const config::Context> contexts, std::span<ContextParts> parts, const Worlds& worlds,
+                   regista_frame& frame) {
+  assert(contexts.size() == parts.size());
+  int chosen = -1;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    frame.knowledge = raw(worlds.answering(contexts[i].knowledge));
+    if (parts[i].condition.holds(frame) && chosen < 0) chosen = static_cast<int>(i);
+  }
+  return chosen;
+}
+
+void EventDetector::detect(const Percepts& percepts, const WorldModel& world, const Decision& decision, bool searching,
+                           std::vector<regista_event>& out) {
+  out.clear();
+  const auto add = [&out](int kind, double value) { out.push_back({kind, 0, value}); };
+  const DistributedWorldModel& mine = world.mine();
+  const DistributedWorldModel& common = world.common();
+  const double now = percepts.time;
+
+  if (common.ball_known()) team_ball_seen_at_ = now - common.ball_state.age;
+  if (percepts.whistle) add(REGISTA_EVENT_WHISTLE, 0.0);
+  if (world.local().sees_ball()) {
+    const regista_track& ball = world.local().balls().front();
+    const double unseen = now - ball_seen_at_;
+    // A search in the previous decision also counts, because the sight of the ball may have ended the search now.
+    if ((searching || searching_) && unseen > ball_missed_at_least) add(REGISTA_EVENT_BALL_FOUND, unseen);
+    if (own_number_ == goalkeeper && unseen > ball_missed_at_least) add(REGISTA_EVENT_GOALKEEPER_SAW_BALL, unseen);
+    const double lacked = now - team_ball_seen_at_;
+    if (lacked > ball_missed_at_least) add(REGISTA_EVENT_BALL_KNOWN_AGAIN, lacked);
+    if (common.ball_known()) {
+      const double moved = (Vector2d(ball.x, ball.y) - common.ball()).norm();
+      if (moved > ball_moved_at_least) add(REGISTA_EVENT_BALL_MOVED, moved);
+    }
+    ball_seen_at_ = now;
+  }
+  if (decision.own_role != role_ && !first_) add(REGISTA_EVENT_ROLE_CHANGED, decision.own_role);
+  if (decision.context != context_ && !first_) add(REGISTA_EVENT_CONTEXT_CHANGED, decision.context);
+  const regista_robot& told = common.robot(own_number_);
+  if ((told.flags & REGISTA_ROBOT_KNOWN) != 0) {
+    const regista_robot& self = mine.robot(own_number_);
+    const double moved = std::hypot(self.pose[0] - told.pose[0], self.pose[1] - told.pose[1]);
+    if (moved > pose_moved_at_least) add(REGISTA_EVENT_POSE_MOVED, moved);
+  }
+  if (percepts.fallen && !fallen_) add(REGISTA_EVENT_FELL, 0.0);
+  if (!percepts.fallen && fallen_) add(REGISTA_EVENT_GOT_UP, 0.0);
+  if (penalised_ && !percepts.penalised) add(REGISTA_EVENT_RETURNED, 0.0);
+  if (mine.game.phase != phase_) add(REGISTA_EVENT_PHASE_CHANGED, mine.game.phase);
+
+  role_ = decision.own_role;
+  context_ = decision.context;
+  phase_ = mine.game.phase;
+  fallen_ = percepts.fallen;
+  penalised_ = percepts.penalised;
+  searching_ = searching;
+  first_ = false;
 }
 
 }  // namespace regista::mind

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mind/coordination/idle_contexts.hpp"
+#include "mind/coordination/unused_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,21 +7,65 @@
 #include <cmath>
 #include <memory>
 
-#include "mind/coordination/made_up.hpp"
 #include "mind/geometry.hpp"
-#include "mind/world/mailbox.hpp"
-#include "plugin/context.hpp"
+#include "mind/world/mailboxes.hpp"
+#include "plugin/kinds.hpp"
 
 namespace regista::mind {
+
+void make_up(DistributedWorldModel& world, const TeamPlan& plan, int list, int scene, double time, int own,
+             int out_of_play, Dice& dice) {
+  const double x = plan.rules().field.length / 2.0, y = plan.rules().field.width / 2.0;
+  const int team_size = plan.rules().team_size;
+  const auto roles = static_cast<int>(plan.team().role_lists[static_cast<std::size_t>(list)].roles.size());
+  for (int number = 1; number <= team_size; ++number) {
+    regista_robot& robot = world.robot(number);
+    robot.flags = REGISTA_ROBOT_KNOWN | REGISTA_ROBOT_HAS_TARGET;
+    robot.flags |= number == out_of_play ? REGISTA_ROBOT_PENALISED : REGISTA_ROBOT_ACTIVE;
+    if (number == own) robot.flags |= REGISTA_ROBOT_SELF;
+    robot.pose[0] = dice.real(-x, x);
+    robot.pose[1] = dice.real(-y, y);
+    robot.pose[2] = dice.real(-pi, pi);
+    robot.velocity[0] = dice.real(-0.2, 0.2);
+    robot.velocity[1] = dice.real(-0.2, 0.2);
+    for (const std::size_t k : {0u, 2u, 5u}) robot.covariance[k] = 0.01;
+    robot.target[0] = dice.real(-x, x);
+    robot.target[1] = dice.real(-y, y);
+    robot.age = number == own ? 0.0 : dice.real(0.0, 5.0);
+    robot.role = plan.first_role(list) + (number + scene) % roles;
+    robot.role_since = time - dice.real(0.0, 20.0);
+  }
+  for (int k = 0; k < team_size; ++k) {
+    regista_opponent& opponent = world.opponents.emplace_back();
+    opponent = {};
+    opponent.label = k;
+    opponent.position[0] = dice.real(-x, x);
+    opponent.position[1] = dice.real(-y, y);
+    opponent.covariance[0] = opponent.covariance[2] = 0.04;
+    opponent.weight = 0.9;
+  }
+  regista_ball& ball = world.ball_state;
+  ball.flags = REGISTA_BALL_KNOWN;
+  ball.position[0] = dice.real(-x, x);
+  ball.position[1] = dice.real(-y, y);
+  ball.velocity[0] = dice.real(-1.0, 1.0);
+  ball.velocity[1] = dice.real(-1.0, 1.0);
+  for (const std::size_t k : {0u, 2u, 7u, 9u}) ball.covariance[k] = 0.01;
+  world.game.phase = REGISTA_PHASE_PLAYING;
+  world.game.half = 1;
+  world.game.phase_time = time;
+  world.game.time_left = plan.rules().durations.half - time;
+}
+
 namespace {
 
-constexpr int courses = 3000, moments = 4;  // of each course
-constexpr double unknown_after = 30.0;      // s without news of the ball
+constexpr int games = 3000, moments = 4;  // number of games, and of moments in each game
+constexpr double unknown_after = 30.0;    // s without news of the ball, after which the ball is unknown
 
-// One course of the game.
-class Course {
+// A made-up game. The conditions are called at a few moments of the game.
+class SyntheticGame {
  public:
-  Course(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), dice_(&dice) {
+  SyntheticGame(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), dice_(&dice) {
     const config::Rules& rules = plan.rules();
     interval_ = dice.log_real(0.1, 20.0);
     half_ = 1 + dice.below(rules.durations.halves);
@@ -51,7 +95,7 @@ class Course {
     free_at_ = dice.chance(0.3) ? 1 + dice.below(moments) : moments;
   }
 
-  // As if every Ready and Set had been waited for.
+  // Returns the match time at a moment. Match time includes every Initial, Ready and Set before a half.
   double time(int moment) const {
     const config::Durations& durations = plan_->rules().durations;
     const double standing = config::Durations::initial + durations.ready + durations.set;
@@ -102,7 +146,7 @@ class Course {
     }
   }
 
-  // In half of the courses some of the robots are about the ball, of either side another share.
+  // In half of the games, moves some robots to places around the ball. Draws the share of moved robots for each side.
   void gather(DistributedWorldModel& world) {
     Dice& dice = *dice_;
     const bool gathered = dice.chance(0.5);
@@ -134,7 +178,7 @@ class Course {
   regista_ball ball_{};
 };
 
-// The conditions of one robot.
+// The context conditions of one robot.
 class Conditions {
  public:
   Conditions(const TeamPlan& plan, const plugin::Caller& caller)
@@ -163,46 +207,41 @@ class Conditions {
   std::vector<plugin::Context> conditions_;
 };
 
-// "a (team.yaml:3:5)"
-std::string placed(const config::Context& context) {
-  return fmt::format("{} ({})", context.name, to_string(context.where));
-}
-
 }  // namespace
 
-ContextFindings idle_contexts(const TeamPlan& plan, plugin::Noting noting) {
+ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing) {
   const int team_size = plan.rules().team_size;
   const std::size_t count = plan.contexts().size();
-  plugin::AnswerRooms rooms;
+  plugin::AnswerBuffers rooms;
   std::vector<std::unique_ptr<plugin::Caller>> callers;
   std::vector<std::unique_ptr<Conditions>> robots;
   for (int number = 1; number <= team_size; ++number) {
-    callers.push_back(std::make_unique<plugin::Caller>(plugin::Caller{plan.team().name, number, 0, noting, &rooms}));
+    callers.push_back(std::make_unique<plugin::Caller>(plugin::Caller{plan.team().name, number, 0, tracing, &rooms}));
     robots.push_back(std::make_unique<Conditions>(plan, *callers.back()));
   }
   Dice dice(made_up_seed);
   ContextFindings out;
   out.contexts.resize(count);
-  std::vector<std::vector<char>> covers(count, std::vector<char>(count, 1));  // [j][i]: i held whenever j did
+  std::vector<std::vector<char>> covers(count, std::vector<char>(count, 1));  // [j][i]: i held whenever j held
   std::vector<char> holds;
   std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
-  for (int c = 0; c < courses; ++c) {
+  for (int c = 0; c < games; ++c) {
     const int own = 1 + c % team_size;
     Conditions& robot = *robots[static_cast<std::size_t>(own - 1)];
     robot.reset();
-    Course course(plan, own, dice);
+    SyntheticGame game(plan, own, dice);
     int in_force = -1;
     for (int moment = 0; moment < moments; ++moment) {
       DistributedWorldModel world(team_size);
-      course.moment(moment, world);
+      game.moment(moment, world);
       regista_frame frame{};
       frame.size = sizeof frame;
       frame.own_number = own;
       frame.tick = static_cast<std::uint64_t>(moment);
-      frame.time = course.time(moment);
+      frame.time = game.time(moment);
       frame.mine = frame.common = &world.raw;
       frame.knowledge = REGISTA_MINE;
-      frame.previous = {previous.data(), static_cast<std::uint32_t>(previous.size()), sizeof(std::int32_t)};
+      frame.previous = abi_span(previous);
       frame.context = in_force;
       robot.ask(frame, holds);
       ++out.scenes;
@@ -238,26 +277,25 @@ std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const C
     any_talks = any_talks || !silent;
     const std::string& condition = context.use.plugin;
     if (silent && its.held == 0) {
-      out.push_back({context.where,
-                     fmt::format("contexts.{}: {} held in none of {} made-up scenes (score, set play, ball, robots): "
-                                 "with these parameters it may never hold",
-                                 context.name, condition, found.scenes)});
+      out.push_back({context.where, fmt::format("contexts.{}: {} held in none of {} made-up scenes (score, set play, "
+                                                "ball, robots): with these parameters it may never hold",
+                                                context.name, condition, found.scenes)});
     } else if (silent && its.in_force == 0 && !always) {
-      const std::string what = its.covered_by < 0
-                                   ? "one of those above it, which come"
-                                   : placed(contexts[static_cast<std::size_t>(its.covered_by)]) + ", which comes";
-      out.push_back({context.where,
-                     fmt::format("contexts.{}: in each of the {} made-up scenes in which {} held, {} first, held too: "
-                                 "it may never be in force",
-                                 context.name, its.held, condition, what)});
+      std::string what = "one of those above it, which come";
+      if (its.covered_by >= 0) {
+        const config::Context& above = contexts[static_cast<std::size_t>(its.covered_by)];
+        what = fmt::format("{} ({}), which comes", above.name, to_string(above.where));
+      }
+      out.push_back({context.where, fmt::format("contexts.{}: in each of the {} made-up scenes in which {} held, {} "
+                                                "first, held too: it may never be in force",
+                                                context.name, its.held, condition, what)});
     }
     always = always || config::always_holds(context);
   }
   if (found.without > 0 && !any_talks && !contexts.empty()) {
-    out.push_back({contexts.back().where,
-                   fmt::format("contexts: none holds in {} of {} made-up scenes, and then no robot has a role: plugin: "
-                               "always, below {}, holds at all times",
-                               found.without, found.scenes, contexts.back().name)});
+    out.push_back({contexts.back().where, fmt::format("contexts: none holds in {} of {} made-up scenes, and then no "
+                                                      "robot has a role: plugin: always, below {}, holds at all times",
+                                                      found.without, found.scenes, contexts.back().name)});
   }
   return out;
 }

@@ -2,10 +2,73 @@
 #include "mind/coordination/task_filter.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
 namespace regista::mind {
+
+void LeastCostAssignment::reserve(std::size_t rows, std::size_t columns) {
+  row_price_.reserve(rows + 1);
+  for (std::vector<double>* each : {&column_price_, &slack_}) each->reserve(columns + 1);
+  for (std::vector<std::size_t>* each : {&row_of_, &before_, &result_}) each->reserve(columns + 1);
+  visited_.reserve(columns + 1);
+}
+
+// Adds the rows one by one. Each new row moves earlier rows to other columns along the path of least cost.
+double LeastCostAssignment::solve(std::span<const double> costs, std::size_t rows, std::size_t columns) {
+  assert(rows <= columns && costs.size() == rows * columns);
+  row_price_.assign(rows + 1, 0.0);
+  column_price_.assign(columns + 1, 0.0);
+  row_of_.assign(columns + 1, 0);
+  before_.assign(columns + 1, 0);
+  for (std::size_t entering = 1; entering <= rows; ++entering) {
+    slack_.assign(columns + 1, std::numeric_limits<double>::infinity());
+    visited_.assign(columns + 1, 0);
+    row_of_[0] = entering;
+    std::size_t column = 0;
+    do {
+      visited_[column] = 1;
+      const std::size_t row = row_of_[column];
+      double least = std::numeric_limits<double>::infinity();
+      std::size_t next = 0;
+      for (std::size_t other = 1; other <= columns; ++other) {
+        if (visited_[other] != 0) continue;
+        const double reduced = costs[(row - 1) * columns + other - 1] - row_price_[row] - column_price_[other];
+        if (reduced < slack_[other]) {
+          slack_[other] = reduced;
+          before_[other] = column;
+        }
+        if (slack_[other] < least) {
+          least = slack_[other];
+          next = other;
+        }
+      }
+      for (std::size_t other = 0; other <= columns; ++other) {
+        if (visited_[other] != 0) {
+          row_price_[row_of_[other]] += least;
+          column_price_[other] -= least;
+        } else {
+          slack_[other] -= least;
+        }
+      }
+      column = next;
+    } while (row_of_[column] != 0);
+    while (column != 0) {
+      row_of_[column] = row_of_[before_[column]];
+      column = before_[column];
+    }
+  }
+  double sum = 0.0;
+  result_.assign(columns, none);
+  for (std::size_t column = 1; column <= columns; ++column) {
+    if (row_of_[column] == 0) continue;
+    result_[column - 1] = row_of_[column] - 1;
+    sum += costs[(row_of_[column] - 1) * columns + column - 1];
+  }
+  return sum;
+}
+
 namespace {
 
 double distance2(const regista_waypoint& point, double x, double y) {
@@ -27,7 +90,7 @@ void move_towards(regista_task& task, const regista_waypoint& point, double at_m
 
 }  // namespace
 
-// To its own waypoint, or to the nearest of those that belong to nothing; infinity when there is neither.
+// Returns the distance to the task's own waypoint; else to the nearest free waypoint; infinity without such waypoints.
 double TaskFilter::distance_to_waypoint(const regista_task& task, std::size_t index,
                                         std::span<const regista_waypoint> waypoints) const {
   const double x = task.before[0], y = task.before[1];
@@ -98,6 +161,49 @@ void offset(regista_task& task, int index, std::span<const regista_waypoint> way
 void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most) {
   const auto own = std::ranges::find(waypoints, number, &regista_waypoint::robot);
   if (own != waypoints.end()) move_towards(task, *own, at_most);
+}
+
+WaypointMatching::WaypointMatching(std::size_t most_tasks, std::size_t most_waypoints) {
+  constexpr std::size_t usual_waypoints = 32;  // a larger number is rare, and costs one allocation
+  const std::size_t waypoints = std::min(most_waypoints, usual_waypoints);
+  const auto [least, most] = std::minmax(most_tasks, waypoints);
+  assignment_.reserve(least, most);
+  tasks_.reserve(most_tasks);
+  free_.reserve(waypoints);
+  costs_.reserve(most_tasks * waypoints);
+}
+
+void WaypointMatching::match(std::span<const regista_task> tasks, std::span<const std::size_t> wanting,
+                             std::span<regista_waypoint> waypoints) {
+  tasks_.clear();
+  free_.clear();
+  for (const std::size_t task : wanting) {
+    const bool has_one =
+        std::ranges::find(waypoints, static_cast<std::int32_t>(task), &regista_waypoint::task) != waypoints.end();
+    if (!has_one) tasks_.push_back(task);
+  }
+  for (std::size_t i = 0; i < waypoints.size(); ++i) {
+    if (waypoints[i].task < 0 && waypoints[i].robot == 0) free_.push_back(i);
+  }
+  // The smaller of the two sets gives the rows, because solve() needs rows <= columns.
+  const bool by_task = tasks_.size() <= free_.size();
+  const std::vector<std::size_t>&rows = by_task ? tasks_ : free_, &columns = by_task ? free_ : tasks_;
+  costs_.clear();
+  for (const std::size_t row : rows) {
+    for (const std::size_t column : columns) {
+      const regista_task& task = tasks[by_task ? row : column];
+      const regista_waypoint& point = waypoints[by_task ? column : row];
+      const double dx = point.x - task.before[0], dy = point.y - task.before[1];
+      costs_.push_back(std::sqrt(dx * dx + dy * dy));
+    }
+  }
+  assignment_.solve(costs_, rows.size(), columns.size());
+  const auto row_of = assignment_.row_of();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (row_of[i] == LeastCostAssignment::none) continue;
+    const std::size_t row = rows[row_of[i]], column = columns[i];
+    waypoints[by_task ? column : row].task = static_cast<std::int32_t>(by_task ? row : column);
+  }
 }
 
 }  // namespace regista::mind

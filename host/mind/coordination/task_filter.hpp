@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From M tasks to N (Affinita et al. 2023): "the filtering process for the N out of M tasks is done through the
-// proximity of the tasks to the nodes", and the offset of the kept ones towards their nearest node.
+// TaskFilter reduces M tasks to N (Affinita et al. 2023): "the filtering process for the N out of M tasks is done
+// through the proximity of the tasks to the nodes". WaypointMatching and offset() move the N tasks towards nodes.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +12,38 @@
 
 namespace regista::mind {
 
-struct FilterRule {
-  double hysteresis = 0.0;  // m: a task that a robot is said to play counts as so much nearer
-  bool all = false;         // whoever can be kept is
+// Computes the assignment of least total cost, by shortest augmenting paths: R. Jonker and A. Volgenant, "A Shortest
+// Augmenting Path Algorithm for Dense and Sparse Linear Assignment Problems", Computing 38, 1987 (without its
+// initialisation); O(rows^2 columns). Only the host uses this class; teams choose an assigner plugin.
+class LeastCostAssignment {
+ public:
+  void reserve(std::size_t rows, std::size_t columns);
+
+  // Gives every row its own column; returns the total cost. costs: finite, row by row. `rows` must be at most
+  // `columns`.
+  double solve(std::span<const double> costs, std::size_t rows, std::size_t columns);
+
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  // By column: the row that the last solve() gave to the column, or `none`.
+  std::span<const std::size_t> row_of() const { return result_; }
+
+ private:
+  // Except in result_, row i and column i have the index i + 1; index 0 stands for no row or no column.
+  std::vector<double> row_price_, column_price_, slack_;
+  std::vector<std::size_t> row_of_, before_, result_;
+  std::vector<char> visited_;
 };
 
-// Keeps at most as many tasks as there are active robots (their numbers, ascending), in the given order: those bound to
-// an active robot, those required, then those nearest to a waypoint (their own, or one that belongs to nothing), or the
-// first ones while there are no waypoints. A task bound to a robot that is not active is never kept. `played`: ids of
-// tasks that active robots are said to play. All of it is of one world, and nothing else is remembered: robots that
-// share a world keep the same tasks. Writes indices, ascending.
+struct FilterRule {
+  double hysteresis = 0.0;  // m: a task that a robot plays counts as nearer to its waypoint by this distance
+  bool all = false;         // true: keep() keeps every task, except tasks bound to an inactive robot
+};
+
+// keep() keeps no more tasks than there are active robots. `active`: numbers of the active robots, ascending. `played`:
+// ids of the tasks that active robots play by the world model. keep() takes first tasks bound to an active robot, then
+// required tasks, then the tasks nearest to a waypoint (their own waypoint or a free waypoint). If the context has no
+// waypoints, keep() takes the first tasks. It never keeps a task bound to an inactive robot. The filter has no memory,
+// so robots with equal worlds keep equal tasks. kept: ascending indices of `tasks`.
 class TaskFilter {
  public:
   TaskFilter(std::size_t most_tasks, std::size_t most_waypoints);
@@ -37,17 +59,35 @@ class TaskFilter {
   double distance_to_waypoint(const regista_task& task, std::size_t index,
                               std::span<const regista_waypoint> waypoints) const;
 
-  std::vector<double> free_x_, free_y_;  // of waypoints that belong to nothing
+  std::vector<double> free_x_, free_y_;  // coordinates of free waypoints: without task and robot
   bool some_belong_to_tasks_ = false;
   std::vector<Candidate> candidates_;
   std::vector<char> chosen_;
 };
 
-// Moves `after` towards the waypoint that belongs to this very task (its `index` among the context's), by at most
-// `at_most` metres; without one, nothing changes.
+// Moves the task's position `after` by at most `at_most` metres towards the waypoint of the task. `index`: the task's
+// index in the context. Changes nothing if no waypoint belongs to the task.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
 
-// The same towards the waypoint that belongs to robot `number`, which has taken the task; without one, nothing changes.
+// Moves the task like offset(), but towards the waypoint that belongs to robot `number`. The robot has taken the task.
 void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most);
+
+// Matches each task with a different node. Affinita et al. 2023 move tasks by "applying offsets to the tasks in their
+// nearest node directions", so as to distribute "the tasks of each role far from the tasks of the other roles". Tasks
+// that move towards the same node would not spread. Therefore each node gets one task, with the least total distance.
+class WaypointMatching {
+ public:
+  WaypointMatching(std::size_t most_tasks, std::size_t most_waypoints);
+
+  // Gives free waypoints to tasks without waypoint, until tasks or waypoints run out. `wanting`: indices of tasks that
+  // may get a waypoint. Sets waypoint.task of each given waypoint to an index of `tasks`; other free waypoints keep -1.
+  void match(std::span<const regista_task> tasks, std::span<const std::size_t> wanting,
+             std::span<regista_waypoint> waypoints);
+
+ private:
+  LeastCostAssignment assignment_;
+  std::vector<std::size_t> tasks_, free_;
+  std::vector<double> costs_;
+};
 
 }  // namespace regista::mind

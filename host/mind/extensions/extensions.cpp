@@ -33,64 +33,62 @@ regista_told_packet as_told(const Report& report) {
 
 }  // namespace
 
+// Fills the function tables. `context` points to this object, and plugins pass it to each function.
 InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics,
                                        int place)
     : owner_(&owner), plugin_(&plugin), metrics_(metrics), place_(place) {
   log_use_.plugin = draw_use_.plugin = plugin.descriptor->id;
   log_use_.place = draw_use_.place = place;
   log_ = {sizeof log_, 0, this, [](void* context, std::int32_t level, const char* text, std::uint32_t length) {
-            auto& self = *static_cast<InstanceExtensions*>(context);
-            // Beyond the limit a line costs nothing, and that was said.
+            InstanceExtensions& self = of(context);
+            // Ignores lines beyond the limit. The log has already reported that the instance exceeds the limit.
             if (self.owner_->muted_ || self.log_use_.lines > REGISTA_LOG_MOST_LINES) return;
-            // A length may be wrong: nothing is read behind the end of a string.
+            // A plugin may give a wrong length, so strnlen() stops at the end of the string.
             const std::size_t most = std::min<std::size_t>(length, REGISTA_LOG_MOST_BYTES + 1);
             self.owner_->log_.write(self.log_use_, level, {text, text == nullptr ? 0 : strnlen(text, most)});
           }};
   draw_ = {sizeof draw_, 0, this,
-           [](void* context) -> std::int32_t {
-             return static_cast<InstanceExtensions*>(context)->owner_->drawings_.wanted() ? 1 : 0;
-           },
+           [](void* context) -> std::int32_t { return of(context).owner_->drawings_.wanted() ? 1 : 0; },
            [](void* context, const regista_shape* shape) {
-             auto& self = *static_cast<InstanceExtensions*>(context);
+             InstanceExtensions& self = of(context);
              if (shape != nullptr && !self.owner_->muted_) self.owner_->drawings_.draw(self.draw_use_, *shape);
            }};
   metric_reports_ = {sizeof metric_reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
-                       auto& self = *static_cast<InstanceExtensions*>(context);
-                       if (!self.owner_->muted_) {
-                         self.owner_->metrics_.report(*self.plugin_, self.metrics_, self.place_, metric, value);
-                       }
+                       InstanceExtensions& self = of(context);
+                       if (self.owner_->muted_) return;
+                       self.owner_->metrics_.report(*self.plugin_, self.metrics_, self.place_, metric, value);
                      }};
   pass_ = {sizeof pass_, 0, this, [](void* context, std::int32_t receiver) {
-             auto& self = *static_cast<InstanceExtensions*>(context);
+             InstanceExtensions& self = of(context);
              if (!self.owner_->muted_) self.owner_->pass_ = {self.plugin_, receiver};
            }};
   told_ = {sizeof told_,
            0,
            this,
            [](void* context, std::int32_t number, regista_told_packet* out) -> std::int32_t {
-             const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
+             const Answers& answers = of(context).owner_->answers_;
              const Report* const report = answers.packet ? answers.packet(number) : nullptr;
              if (report == nullptr) return 0;
              write_known(as_told(*report), out);
              return 1;
            },
            [](void* context) -> std::int32_t {
-             const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
+             const Answers& answers = of(context).owner_->answers_;
              return answers.sees_ball && answers.sees_ball() ? 1 : 0;
            },
            [](void* context) -> std::int32_t {
-             const std::optional<MeantPass>& pass = static_cast<InstanceExtensions*>(context)->owner_->pass_;
+             const std::optional<MeantPass>& pass = of(context).owner_->pass_;
              return pass ? pass->receiver : 0;
            }};
   roles_ = {sizeof roles_, 0, this, [](void* context, std::int32_t id, regista_role_facts* out) -> std::int32_t {
-              const RoleFacts& roles = static_cast<InstanceExtensions*>(context)->owner_->roles_;
+              const RoleFacts& roles = of(context).owner_->roles_;
               regista_role_facts facts{};
               if (!roles || !roles(id, facts)) return 0;
               write_known(facts, out);
               return 1;
             }};
   budget_ = {sizeof budget_, 0, this, [](void* context, regista_budget* out) {
-               const Answers& answers = static_cast<InstanceExtensions*>(context)->owner_->answers_;
+               const Answers& answers = of(context).owner_->answers_;
                write_known(answers.budget ? answers.budget() : regista_budget{}, out);
              }};
 }

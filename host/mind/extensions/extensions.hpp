@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The host's side of the extensions that the plugins of one robot may ask for by name: log, draw, metric, pass, told,
-// budget, roles. Each instance gets tables of its own, so that it is known who speaks.
+// The host's implementation of the extensions that a robot's plugins may request by name: log, draw, metric, pass,
+// told, budget, roles. Each instance gets its own function tables, so that the host knows which plugin calls.
 #pragma once
 
 #include <functional>
@@ -18,33 +18,33 @@
 #include <regista/extensions/roles.h>
 #include <regista/extensions/told.h>
 
-#include "mind/extensions/drawings.hpp"
-#include "mind/extensions/metric_reports.hpp"
 #include "mind/extensions/plugin_log.hpp"
 #include "mind/world/packet.hpp"
-#include "plugin/failure.hpp"
-#include "plugin/found.hpp"
+#include "plugin/description.hpp"
+#include "plugin/fatal_signal.hpp"
 
 namespace regista::mind {
 
 class Extensions;
 
-// What one instance is given.
+// The extensions of one plugin instance.
 class InstanceExtensions {
  public:
   InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics, int place);
   InstanceExtensions(const InstanceExtensions&) = delete;
   InstanceExtensions& operator=(const InstanceExtensions&) = delete;
 
-  // Null for a name that nobody knows.
+  // Returns the function table of the extension `id`; null for an unknown name.
   const void* find(std::string_view id) const;
-  void begin_decision();
+  void begin_decision();  // resets the counts that are limited for each decision
 
  private:
+  static InstanceExtensions& of(void* context) { return *static_cast<InstanceExtensions*>(context); }
+
   Extensions* owner_;
   const plugin::Found* plugin_;
-  std::span<const int> metrics_;  // of the team, by the plugin's own index
-  int place_;
+  std::span<const int> metrics_;  // the plugin's metrics: indices into TeamPlan::metrics()
+  int place_;                     // place of the instance in the robot's mind
   LogUse log_use_;
   DrawUse draw_use_;
   regista_log log_{};
@@ -56,49 +56,48 @@ class InstanceExtensions {
   regista_roles roles_{};
 };
 
-// For whom a kick is meant, as a plugin said it.
+// A plugin's report that the robot's kick is a pass.
 struct MeantPass {
   const plugin::Found* plugin;
-  int receiver;  // not looked at yet
+  int receiver;  // shirt number that the plugin gave; not yet checked
 };
 
-// What plugins may ask for. Called from within their calls.
+// Functions that the extensions call to answer questions of plugins.
 struct Answers {
-  std::function<const Report*(int number)> packet;  // the newest of a robot, the own one too; null: none
-  std::function<bool()> sees_ball;
+  std::function<const Report*(int number)> packet;  // newest packet of a robot, also of the own robot; null: none
+  std::function<bool()> sees_ball;                  // whether the own camera sees the ball; see LocalModel
   std::function<regista_budget()> budget;
 };
 
-// What the page says of the role in a row of the table; false: there is no such row.
+// Writes the facts about role `id` (a row of the table of roles); returns false if the row does not exist.
 using RoleFacts = std::function<bool(int id, regista_role_facts& out)>;
 
 class Extensions {
  public:
-  // caller outlives the extensions. sink: told each log line at once. records: log lines and drawings of a decision are
-  // kept for recorders.
+  // `caller` must outlive the extensions. sink: receives each log line when the plugin writes it. records: whether the
+  // log lines and drawings of a decision are kept for recorders.
   explicit Extensions(const plugin::Caller& caller, LogSink sink = {}, bool records = false)
       : log_(caller, std::move(sink), records), drawings_(log_, records) {}
   Extensions(const Extensions&) = delete;
   Extensions& operator=(const Extensions&) = delete;
 
-  // For the next instance. metrics: see InstanceExtensions; plugin and metrics outlive it.
+  // Makes the function tables of the next instance. metrics: the plugin's metrics as indices into TeamPlan::metrics().
+  // `plugin` and `metrics` must outlive this object.
   const InstanceExtensions& open(const plugin::Found& plugin, std::span<const int> metrics);
 
-  // Before the first call of a plugin that asks.
+  // Must be called before a plugin asks a question (extensions told, budget).
   void answer_with(Answers answers) { answers_ = std::move(answers); }
-
-  // The same, from before the first instance on.
+  // Must be called before the first instance is created. Sets the answers of the extension roles.
   void tell_roles(RoleFacts roles) { roles_ = std::move(roles); }
 
-  // At the beginning of a decision. time: s since the start of the match.
-  void begin(double time);
-  // While plugins are asked what only recorders want to know, nothing of what they do counts.
+  void begin(double time);  // Must be called at the beginning of a decision. time: match time, s.
+  // While muted, the extensions log, draw, metric and pass do nothing. Used for plugin calls that only serve recorders.
   void mute(bool muted) { muted_ = muted; }
 
   const PluginLog& log() const { return log_; }
   const Drawings& drawings() const { return drawings_; }
   MetricReports& metrics() { return metrics_; }
-  // What was said last in this decision.
+  // The last pass that a plugin reported in this decision; empty: no report.
   const std::optional<MeantPass>& pass() const { return pass_; }
 
  private:

@@ -1,40 +1,89 @@
 // SPDX-License-Identifier: MIT
-// What the plugins of one robot write for people: extension regista.log, <regista/extensions/log.h>. Holds its limits,
-// so that no plugin can fill a disk, and says once of each instance that it went beyond them.
+// Additional output of one robot's plugins: lines for people (extension regista.log), drawings (regista.draw) and
+// numbers of a match (regista.metric); see <regista/extensions/*.h>. These classes apply the limits of each extension,
+// so that no plugin can fill a disk. The log reports the first time that an instance exceeds a limit.
 #pragma once
 
+#include <regista/extensions/draw.h>
+
+#include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mind/extensions/log_line.hpp"
-#include "plugin/failure.hpp"
+#include "plugin/description.hpp"
+#include "plugin/fatal_signal.hpp"
 
 namespace regista::mind {
 
-// What one instance has said.
-struct LogUse {
+// Returns the beginning of `text`, at most `bytes` long, without cutting a character of UTF-8.
+inline std::string_view cut_text(std::string_view text, std::size_t bytes) {
+  if (text.size() <= bytes) return text;
+  const auto continues = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0u) == 0x80u; };
+  std::size_t end = bytes;
+  // A character has at most three continuation bytes. Text with longer runs is not UTF-8.
+  for (int i = 0; i < 3 && end > 0 && continues(text[end]); ++i) --end;
+  return text.substr(0, end);
+}
+
+// A line that a plugin wrote.
+struct LogLine {
+  std::int32_t level = 0;   // REGISTA_LOG_*
+  int side = 0;             // 0 home, 1 away
+  int robot = 0;            // shirt number
+  int place = 0;            // place of the plugin's instance in the robot's mind (see mailboxes.hpp)
+  std::uint64_t tick = 0;   // number of the robot's decision, from 0
+  double time = 0.0;        // match time of the decision, s
+  const char* plugin = "";  // id; lives as long as the team's plan
+  std::string_view text;    // one line of well-formed UTF-8; valid until the robot's next decision
+};
+
+// Receives each log line when the plugin writes the line, so that no line before a crash of the process is lost.
+struct LogSink {
+  std::int32_t least_level = 0;                // the sink does not receive lines of lower levels
+  std::function<void(const LogLine&)> tell{};  // receives a line; empty: the sink drops all lines
+
+  bool wants(std::int32_t level) const { return tell && level >= least_level; }
+};
+
+// The names are "debug", "info", "warning" and "error". level_of() returns nothing for an unknown name.
+const char* level_name(std::int32_t level);
+std::optional<std::int32_t> level_of(std::string_view name);
+
+// Returns text such as "[warning] home 3, tick 124, voronoi: two points coincide".
+std::string to_string(const LogLine& line);
+
+// Limit for to_standard_error() in a process that stores its standard error with the match. Bytes of log for each side.
+inline constexpr std::size_t most_kept_of_log = 1500;
+
+// Returns a sink that writes lines of this level and above to standard error. most_bytes: limit of bytes for each side;
+// 0: no limit. When a side exceeds the limit, the sink writes one more line, which says so.
+LogSink to_standard_error(std::int32_t least_level, std::size_t most_bytes = 0);
+
+struct LogUse {  // How much one instance has written to the log.
   const char* plugin = "";
   int place = 0;
-  std::uint32_t lines = 0;  // in this decision
-  std::size_t bytes = 0;    // in this match
-  bool told = false;        // that it wrote more than is taken, in this match
+  std::uint32_t lines = 0;  // number of lines in this decision
+  std::size_t bytes = 0;    // number of bytes in this match
+  bool told = false;        // the log has reported in this match that the instance exceeded a limit
 };
 
 class PluginLog {
  public:
-  // caller outlives the log. sink: told each line at once; may be empty. keeps: for lines().
+  // `caller` must outlive the log. sink: receives each line; may be empty. keeps: whether lines() returns lines.
   PluginLog(const plugin::Caller& caller, LogSink sink, bool keeps);
 
   void begin(double time);
   void write(LogUse& use, std::int32_t level, std::string_view text);
-  // The host's own word about what a plugin did; no limit holds for it.
+  // Adds a line in which the host reports something about a plugin. The limits do not apply to this line.
   void remark(const char* plugin, int place, std::string_view text);
 
-  // Of the last decision; nothing unless they are kept.
+  // Returns the lines of the last decision; nothing if `keeps` was false.
   std::span<const LogLine> lines() const { return lines_; }
 
  private:
@@ -47,6 +96,84 @@ class PluginLog {
   bool begun_ = false;
   std::deque<std::string> texts_;
   std::vector<LogLine> lines_;
+};
+
+// --- Drawings of a decision are kept until the next decision, and only if a recorder wants drawings. Memory is reused.
+
+struct DrawnShape {
+  const char* plugin = "";  // id; lives as long as the team's plan
+  std::string layer, text;  // well-formed UTF-8
+  std::int32_t shape = 0;   // REGISTA_SHAPE_*
+  bool filled = false;
+  std::uint32_t colour = 0;           // 0xRRGGBBAA; 0: the plugin chose no colour
+  double width = 0.0;                 // m; 0: the plugin chose no width
+  std::vector<regista_point> points;  // field frame of the own team, m; all finite
+};
+
+struct DrawUse {  // How much one instance has drawn.
+  const char* plugin = "";
+  int place = 0;
+  std::uint32_t shapes = 0, points = 0;  // numbers in this decision
+  std::vector<std::string> layers;       // names of the layers used in this match
+  bool told = false;                     // the log has reported in this match that a shape was left out
+};
+
+class Drawings {
+ public:
+  // `log` receives reports of left-out shapes and must outlive this object. keeps: whether shapes() returns shapes.
+  Drawings(PluginLog& log, bool keeps) : log_(&log), keeps_(keeps) {}
+
+  bool wanted() const { return keeps_; }
+  void begin();
+  void draw(DrawUse& use, const regista_shape& shape);
+
+  // Returns the shapes of the last decision, in the order of drawing.
+  std::span<const DrawnShape> shapes() const { return {shapes_.data(), count_}; }
+
+ private:
+  PluginLog* log_;
+  bool keeps_, begun_ = false;
+  std::vector<DrawnShape> shapes_;
+  std::size_t count_ = 0;
+};
+
+// --- Numbers of a match. MetricReports combines all reports of one instance for one metric in one decision.
+
+// Largest absolute value of a report. With this limit no sum over a match is infinite.
+inline constexpr double largest_report = 1e9;
+
+// A metric that a plugin of the team declares.
+struct TeamMetric {
+  std::string name;          // "voronoi.crossings"
+  std::int32_t combine = 0;  // REGISTA_METRIC_*
+};
+
+// All reports of one instance for one metric in one decision. `metric`: index into TeamPlan::metrics().
+struct MetricReport {
+  std::int32_t metric = 0;
+  std::int32_t place = 0;  // place of the instance in the robot's mind
+  std::uint32_t count = 0;
+  double sum = 0.0, least = 0.0, greatest = 0.0, last = 0.0;
+};
+
+class MetricReports {
+ public:
+  // A report of an undeclared metric, or of a value that is NaN or beyond largest_report.
+  struct Violation {
+    const plugin::Found* plugin;
+    std::string what;
+  };
+
+  // Adds a report. of_team: the plugin's metrics, as indices into TeamPlan::metrics(). metric: index into of_team.
+  void report(const plugin::Found& plugin, std::span<const int> of_team, int place, std::uint32_t metric, double value);
+
+  // take() fills `out` with the reports since the last take(), by metric and place. violation(): the first violation.
+  void take(std::vector<MetricReport>& out);
+  const std::optional<Violation>& violation() const { return violation_; }
+
+ private:
+  std::vector<MetricReport> reports_;
+  std::optional<Violation> violation_;
 };
 
 }  // namespace regista::mind

@@ -1,34 +1,97 @@
 // SPDX-License-Identifier: MIT
 #include "mind/world/fusion.hpp"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <limits>
-
-#include "mind/world/symmetric4.hpp"
+#include <optional>
 
 namespace regista::mind {
 namespace {
 
+// m; two tracks closer together count as one object (B-Human: 1.1 m)
+constexpr double one_object = 1.1;
+constexpr double gate = 9.21;               // 99 % quantile of the chi-square law, two degrees of freedom
+constexpr double least_kept_weight = 0.05;  // tracks of lower weight are dropped
+
+// Returns the squared Mahalanobis distance of the positions for the sum of the covariances.
+double squared_mahalanobis(const regista_track& a, const regista_track& b) {
+  const double xx = a.covariance[0] + b.covariance[0], xy = a.covariance[1] + b.covariance[1];
+  const double yy = a.covariance[2] + b.covariance[2], dx = a.x - b.x, dy = a.y - b.y;
+  const double determinant = xx * yy - xy * xy;
+  return determinant > 0.0 ? (yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy) / determinant : gate + 1.0;
+}
+
+bool nearer_than(const regista_track& a, const regista_track& b, double distance) {
+  const double dx = a.x - b.x, dy = a.y - b.y;
+  return dx * dx + dy * dy <= distance * distance;
+}
+
+bool may_have_looked_at(const SenderView& sender, const regista_track& track) {
+  const Vector2d arm(track.x - sender.pose.x, track.y - sender.pose.y);
+  return arm.squaredNorm() <= sender.range * sender.range &&
+         std::abs(wrap(angle_of(arm) - sender.pose.heading)) <= sender.half_angle;
+}
+
+// Returns the new weight of a known track that a packet of the sender does not contain.
+double weight_untold(const regista_track& track, const SenderView& sender) {
+  if (!sender.tells_all) return track.weight;
+  if (track.age < sender.tells_up_to) return 0.0;  // the sender no longer believes in this young track
+  if (!may_have_looked_at(sender, track)) return track.weight;
+  return track.weight * (1.0 - sender.probability) / (1.0 - track.weight * sender.probability);
+}
+
+constexpr double clearly_nearer = 4.0;  // squared distance; a match farther by 4 is exp(-4/2) = 0.14 times as likely
+constexpr double out_of_question = gate + clearly_nearer;
+constexpr double never_fits = std::numeric_limits<double>::infinity();
+constexpr double least_believed_weight = 0.5;  // tracks of lower weight are not matched
+
+// Returns the position's covariance of a robot or a track.
+Eigen::Matrix2d place_covariance(const auto& estimate) {
+  Eigen::Matrix2d out;
+  out << estimate.covariance[0], estimate.covariance[1], estimate.covariance[1], estimate.covariance[2];
+  return out;
+}
+
+Eigen::Vector2d gap_between(const regista_robot& robot, const regista_track& track) {
+  return {track.x - robot.pose[0], track.y - robot.pose[1]};
+}
+
+double misfit(const regista_robot& robot, const regista_track& track) {
+  const Eigen::Vector2d apart = gap_between(robot, track);
+  const Eigen::Matrix2d spread = place_covariance(robot) + place_covariance(track);
+  // This quick test excludes most robots: the trace is at least as great as the variance in any direction.
+  if (apart.squaredNorm() > out_of_question * spread.trace() || spread.determinant() <= 0.0) return never_fits;
+  return apart.dot(spread.inverse() * apart);
+}
+
+bool reckoned_with(const regista_robot& robot, int own) {
+  return robot.number != own && (robot.flags & REGISTA_ROBOT_ACTIVE) != 0 && (robot.flags & REGISTA_ROBOT_KNOWN) != 0;
+}
+
 using Vector4 = Eigen::Vector4d;
 
-// A covariance of exact knowledge would weigh infinitely; no estimate of a ball is better than a millimetre.
+// m^2; least variance of an estimate (a deviation of 1 mm), so that exact knowledge gets no infinite weight.
 constexpr double least_variance = 1e-6;
 
-// A ball that nobody watches may be kicked: the deviation of its place grows so fast on top of its model's. Half of a
-// robot's walking speed pushes it about; a kick is ten times that, but rare. Assumption. m/s
+// m/s; while nobody sees the ball, robots may move the ball. So the position's deviation grows at this speed, added to
+// the model's growth. Assumption: half a walking speed (a push of the ball); kicks are ten times faster, but rare.
 constexpr double unwatched_speed = 0.3;
 
 double position_trace(const regista_track& track) {
   return std::max(track.covariance[0] + track.covariance[2], 2.0 * least_variance);
 }
 
-// An estimate of the ball, with what its age adds to its uncertainty.
-struct Weighed {
+struct Weighed {  // An estimate of the ball, and the uncertainty that its age adds.
   const regista_track* track;
-  double unwatched;    // variance of the position, per axis
-  double information;  // weight over the trace of the position's covariance
+  double unwatched;    // variance of the position due to age, for each axis
+  double information;  // weight / trace of the position's covariance
 };
 
 Weighed weighed(const regista_track& ball) {
@@ -48,9 +111,8 @@ Symmetric4 covariance(const Weighed& ball) {
   return out;
 }
 
-// Whether the positions agree: squared Mahalanobis distance under the sum of both covariances.
+// Whether the squared Mahalanobis distance of the positions, for the sum of the covariances, is within the gate.
 bool agree(const Weighed& a, const Weighed& b) {
-  constexpr double gate = 9.21;  // chi-square, two degrees of freedom, 99 %
   const double unwatched = a.unwatched + b.unwatched;
   const double xx = a.track->covariance[0] + b.track->covariance[0] + unwatched;
   const double xy = a.track->covariance[1] + b.track->covariance[1];
@@ -59,16 +121,124 @@ bool agree(const Weighed& a, const Weighed& b) {
   return yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy <= gate * (xx * yy - xy * xy);
 }
 
-// Own eyes and packets: bits of a word.
+// Largest number of sources (own camera, each robot's packets): a cluster has one bit of a word for each source.
 constexpr std::size_t most_sources = 32;
 
-// Unique over all sources for labels below 2^27.
+// Returns a label that is unique over all sources, if the tracks' labels are below 2^27.
 std::int32_t label_of(const Estimate& estimate) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(estimate.track->label) << 5 |
                                    static_cast<std::uint32_t>(estimate.source));
 }
 
+constexpr double well_within_range = 0.8;  // share of the camera's range for balls
+constexpr double least_distance = 0.25;    // m; the direction of a nearer ball is uncertain
+constexpr double blocked_by = 0.3;         // m; half of a robot's width, and the same length for its uncertain position
+constexpr double known_to = 0.6;           // m; an estimate with a larger deviation is not refuted
+
+// Whether a ball at `ball` (robot frame, m) with the standard deviation `deviation` (m) is in clear view of the camera.
+bool in_clear_view(const Vector2d& ball, double deviation, const Percepts& percepts) {
+  const double distance = ball.norm();
+  if (distance < least_distance || distance > well_within_range * percepts.view.ball_range) return false;
+  const double margin = deviation / distance;
+  const double off_axis = std::abs(wrap(angle_of(ball) - percepts.view.heading));
+  if (off_axis > percepts.view.half_angle - margin) return false;
+  for (const RobotSighting& robot : percepts.robots) {
+    if (robot.position.squaredNorm() > distance * distance) continue;
+    const double along = robot.position.dot(ball) / distance;
+    const double across = std::abs(robot.position.x() * ball.y() - robot.position.y() * ball.x()) / distance;
+    if (along > 0.0 && across < blocked_by) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+void merge_told(std::span<const regista_track> known, std::span<const regista_track> told, const SenderView& sender,
+                std::vector<regista_track>& out) {
+  out.assign(told.begin(), told.end());
+  // Pairs known and received tracks. The pair of least distance comes first. Each track is in at most one pair.
+  std::int32_t fresh = 0;
+  for (const regista_track& each : known) fresh = std::max(fresh, each.label);
+  std::uint64_t continued = 0, continuing = 0;  // one bit for each track; a predictor has at most 64 tracks
+  const auto has = [](std::uint64_t bits, std::size_t i) { return (bits >> i & 1u) != 0; };
+  const std::size_t known_count = std::min<std::size_t>(known.size(), 64),
+                    told_count = std::min<std::size_t>(told.size(), 64);
+  for (;;) {
+    double least = gate;
+    std::optional<std::pair<std::size_t, std::size_t>> pair;
+    for (std::size_t i = 0; i < known_count; ++i) {
+      for (std::size_t j = 0; j < told_count; ++j) {
+        if (has(continued, i) || has(continuing, j)) continue;
+        const double d2 = squared_mahalanobis(known[i], told[j]);
+        if (d2 > least || (d2 == least && pair)) continue;
+        least = d2;
+        pair = {i, j};
+      }
+    }
+    if (!pair) break;
+    continued |= std::uint64_t{1} << pair->first;
+    continuing |= std::uint64_t{1} << pair->second;
+    out[pair->second].label = known[pair->first].label;
+  }
+  for (std::size_t j = 0; j < told_count; ++j) {
+    if (!has(continuing, j)) out[j].label = ++fresh;
+  }
+  for (std::size_t i = 0; i < known_count; ++i) {
+    if (has(continued, i)) continue;
+    if (std::ranges::any_of(told, [&](const regista_track& each) { return nearer_than(each, known[i], one_object); }))
+      continue;
+    const double weight = weight_untold(known[i], sender);
+    if (weight < least_kept_weight) continue;
+    out.push_back(known[i]);
+    out.back().weight = weight;
+  }
+}
+
+void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
+                     std::vector<SeenTeammate>& out) {
+  std::uint64_t taken = 0;  // one bit for each robot
+  for (std::size_t count = 0; count < seen.size(); ++count) {
+    // Finds the best pair of the remaining tracks and robots.
+    double best = gate;
+    SeenTeammate pair{0, nullptr};
+    for (const regista_track& track : seen) {
+      if (track.weight < least_believed_weight) continue;
+      if (std::ranges::find(out, &track, &SeenTeammate::track) != out.end()) continue;
+      double nearest = never_fits, second = nearest;
+      int number = 0;
+      for (const regista_robot& robot : robots) {
+        if (!reckoned_with(robot, own) || (taken >> robot.number & 1u) != 0) continue;
+        const double d2 = misfit(robot, track);
+        if (d2 < nearest) {
+          second = nearest;
+          nearest = d2;
+          number = robot.number;
+        } else if (d2 < second) {
+          second = d2;
+        }
+      }
+      if (nearest >= best || second < nearest + clearly_nearer) continue;
+      best = nearest;
+      pair = {number, &track};
+    }
+    if (pair.track == nullptr) return;
+    taken |= std::uint64_t{1} << pair.number;
+    out.push_back(pair);
+  }
+}
+
+void sharpen(regista_robot& robot, const regista_track& seen) {
+  const Eigen::Matrix2d before = place_covariance(robot), spread = before + place_covariance(seen);
+  if (spread.determinant() <= 0.0) return;
+  const Eigen::Matrix2d gain = before * spread.inverse();
+  const Eigen::Vector2d moved = gain * gap_between(robot, seen);
+  const Eigen::Matrix2d after = before - gain * before;
+  robot.pose[0] += moved.x();
+  robot.pose[1] += moved.y();
+  robot.covariance[0] = after(0, 0);
+  robot.covariance[1] = 0.5 * (after(0, 1) + after(1, 0));
+  robot.covariance[2] = after(1, 1);
+}
 
 regista_ball fuse_ball(std::span<const Estimate> estimates) {
   std::array<Weighed, most_sources> balls;
@@ -100,7 +270,7 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
     Vector4 weighted = Vector4::Zero();
     for (const Weighed& each : std::span(balls.data(), agreeing)) {
       const double share = each.information / information;
-      // What weighs next to nothing changes nothing, but costs an inversion.
+      // An estimate of tiny weight is left out, because the estimate changes little and its inversion costs time.
       if (share < 1e-3) continue;
       const Symmetric4 information_matrix = covariance(each).inverse();
       inverse.add(share, information_matrix);
@@ -127,12 +297,12 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     const regista_track& track = *estimate.track;
     const Vector2d position(track.x, track.y);
     const std::uint32_t source = 1u << estimate.source;
-    // Selected, not branched on: which one is nearest is anybody's guess.
+    // The loop selects without a branch, because a processor could not predict the branch.
     Cluster* nearest = nullptr;
     double nearest2 = merge_distance_ * merge_distance_;
     for (Cluster& cluster : clusters_) {
       const double d2 = (cluster.position - position).squaredNorm();
-      // One source tells two tracks apart for a reason.
+      // Two tracks of the same source are two objects, so they must not be in one cluster.
       const bool nearer = (d2 < nearest2) & ((cluster.sources & source) == 0);
       nearest = nearer ? &cluster : nearest;
       nearest2 = nearer ? d2 : nearest2;
@@ -144,8 +314,8 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
       nearest->age = track.age;
       nearest->best_trace = std::numeric_limits<double>::infinity();
     }
-    // With isotropic covariances, Niehsen's weights are proportional to 1/trace, and the fused mean is the mean of the
-    // positions weighted by 1/trace^2.
+    // For isotropic covariances Niehsen's weights are proportional to 1/trace; the fused mean has the weights
+    // 1/trace^2.
     const double information = 1.0 / trace;
     nearest->weighted_sum += information * information * position;
     nearest->information += information;
@@ -175,11 +345,30 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     opponent.position[1] = cluster.position.y();
     opponent.velocity[0] = cluster.velocity.x();
     opponent.velocity[1] = cluster.velocity.y();
-    // Trace of the intersection: sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
+    // The covariance intersection has the trace sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
     const double variance = 0.5 * cluster.information / cluster.information2;
     opponent.covariance[0] = opponent.covariance[2] = variance;
     opponent.weight = std::clamp(1.0 - cluster.missing, 1e-3, 1.0);
     opponent.age = cluster.age;
+  }
+}
+
+void NegativeInformation::look(std::span<const Estimate> balls, const Frame2& own, const Percepts& percepts,
+                               double dt) {
+  for (const Estimate& estimate : balls) {
+    Source& source = sources_[static_cast<std::size_t>(estimate.source)];
+    const regista_track& ball = *estimate.track;
+    const bool news = ball.age < source.age;
+    source.age = ball.age;
+    if (news) source.in_vain = 0.0;
+    const double deviation = std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[2]));
+    if (!percepts.camera || deviation > known_to) continue;
+    const Vector2d expected = own.to_robot({ball.x, ball.y});
+    if (!in_clear_view(expected, deviation, percepts)) continue;
+    const bool seen = std::ranges::any_of(percepts.balls, [&](const BallSighting& sighting) {
+      return (sighting.position - expected).norm() < 0.3 + 2.0 * deviation + 2.0 * sighting.along;
+    });
+    source.in_vain = seen ? 0.0 : source.in_vain + dt;
   }
 }
 

@@ -1,31 +1,57 @@
 // SPDX-License-Identifier: MIT
 #include "study/prediction/evaluation.hpp"
 
+#include <Random123/philox.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
-#include <optional>
+#include <numeric>
+#include <utility>
 
-#include "study/prediction/baseline.hpp"
+#include "statistics/moments.hpp"
 #include "study/prediction/forecast.hpp"
-#include "study/prediction/observations.hpp"
-#include "study/prediction/touches.hpp"
 
 namespace regista::study {
 namespace {
 
+constexpr int least_samples = 3;
+constexpr double least_change = 0.4;          // m/s
+constexpr double sliding_deceleration = 3.6;  // m/s^2
+
+// Errors in increasing order, each with the number of its block. A drawn sample then needs no sorting.
+using Ordered = std::vector<std::pair<double, std::size_t>>;
+
+Ordered ordered(std::span<const PairedError> errors, double PairedError::*error) {
+  Ordered out;
+  for (const PairedError& each : errors) out.emplace_back(each.*error, each.block);
+  std::ranges::stable_sort(out, {}, &Ordered::value_type::first);
+  return out;
+}
+
+// A quantile of a drawn sample: the least error e such that at least `share` of the sample is not larger than e. times:
+// how often each block was drawn. total: the number of errors in the sample.
+double quantile(const Ordered& errors, double share, const std::vector<std::uint32_t>& times, std::size_t total) {
+  const double wanted = share * static_cast<double>(total);
+  std::size_t seen = 0;
+  for (const auto& [error, block] : errors) {
+    seen += times[block];
+    if (static_cast<double>(seen) >= wanted) return error;
+  }
+  return errors.back().first;
+}
+
 // The samples of one object, by time.
 struct Path {
   std::vector<Sample> samples;
-  std::vector<std::size_t> index;  // in the stretch
+  std::vector<std::size_t> index;  // indices of the samples in the stretch
   std::vector<Sample> observed;
-  std::vector<std::size_t> touched;  // in `samples`: where somebody touched it, or nobody knows; of a ball
+  std::vector<std::size_t> touched;  // indices of samples at which a robot may have touched the ball
 
   const Sample* nearest(double time, double tolerance) const {
-    const auto after = std::lower_bound(samples.begin(), samples.end(), time,
-                                        [](const Sample& sample, double t) { return sample.time < t; });
+    const auto after = std::ranges::lower_bound(samples, time, {}, &Sample::time);
     const Sample* best = nullptr;
     if (after != samples.begin()) best = &*(after - 1);
     if (after != samples.end() && (best == nullptr || after->time - time < time - best->time)) best = &*after;
@@ -34,25 +60,21 @@ struct Path {
 
   bool rolls_freely(const Sample& from, const Sample& to) const {
     const auto place = [&](const Sample& sample) {
-      return static_cast<std::size_t>(std::lower_bound(samples.begin(), samples.end(), sample.time,
-                                                       [](const Sample& each, double t) { return each.time < t; }) -
+      return static_cast<std::size_t>(std::ranges::lower_bound(samples, sample.time, {}, &Sample::time) -
                                       samples.begin());
     };
     const auto next = std::ranges::lower_bound(touched, place(from));
     return next == touched.end() || *next > place(to);
   }
 
-  // What was observed in the `window` seconds that end at `time`.
+  // The observations in the `window` seconds that end at `time`.
   std::span<const Sample> recent(double time, double window) const {
-    const auto earlier = [](const Sample& sample, double t) { return sample.time < t; };
-    const auto first = std::lower_bound(observed.begin(), observed.end(), time - window, earlier);
-    const auto last =
-        std::upper_bound(first, observed.end(), time, [](double t, const Sample& sample) { return t < sample.time; });
-    return {first, last};
+    const auto first = std::ranges::lower_bound(observed, time - window, {}, &Sample::time);
+    return {first, std::ranges::upper_bound(first, observed.end(), time, {}, &Sample::time)};
   }
 };
 
-// s: time enough for a velocity to show, not more than a ball needs to cross a robot.
+// s; long enough to measure a velocity, and not longer than a ball needs to cross a robot.
 constexpr double touch_window = 0.1;
 
 std::map<int, Path> paths_of(const Stretch& stretch, const std::vector<bool>& shown) {
@@ -73,9 +95,9 @@ std::map<int, Path> paths_of(const Stretch& stretch, const std::vector<bool>& sh
 }
 
 struct Start {
-  std::size_t index;  // in the stretch
+  std::size_t index;  // index of the sample in the stretch
   Sample truth;
-  Sample last;  // observed
+  Sample last;  // last observed sample
   Eigen::Vector2d velocity;
   const Path* path;
 };
@@ -93,11 +115,11 @@ std::vector<Start> starts_of(const Stretch& stretch, const std::map<int, Path>& 
       if (velocity) out.push_back({path.index[i], sample, recent.back(), *velocity, &path});
     }
   }
-  std::sort(out.begin(), out.end(), [](const Start& a, const Start& b) { return a.index < b.index; });
+  std::ranges::sort(out, {}, &Start::index);  // no two starts have the same index
   return out;
 }
 
-// Errors of one block may share a kick.
+// The length of a block of play; errors in one block may share a kick.
 constexpr double block_length = 10.0;  // s
 
 double quantile(std::vector<double>& values, double share) {
@@ -109,7 +131,7 @@ double quantile(std::vector<double>& values, double share) {
 
 Errors errors_of(std::vector<double>& values) { return {quantile(values, 0.5), quantile(values, 0.9)}; }
 
-// What is gathered for one horizon.
+// The numbers of all starts at one horizon: errors in m, and squared errors relative to the covariance (nees).
 struct Tally {
   std::size_t truths = 0;
   std::vector<double> predictor, hold, constant, decayed, nees, untouched_nees;
@@ -129,11 +151,9 @@ Consistency consistency_of(std::vector<double>& nees) {
   const double count = static_cast<double>(nees.size());
   const auto within = [&](double share) {
     const double limit = -2.0 * std::log1p(-share);  // quantile of chi-square with 2 degrees of freedom
-    return static_cast<double>(std::count_if(nees.begin(), nees.end(), [&](double each) { return each <= limit; })) /
-           count;
+    return static_cast<double>(std::ranges::count_if(nees, [&](double each) { return each <= limit; })) / count;
   };
-  double sum = 0.0;
-  for (const double each : nees) sum += each;
+  const double sum = std::accumulate(nees.begin(), nees.end(), 0.0);
   return {within(0.5), within(0.9), within(0.95), sum / count, quantile(nees, 0.5)};
 }
 
@@ -145,33 +165,29 @@ class Scores {
     for (std::size_t h = 0; h < horizon_count; ++h) {
       const Sample* truth = truth_of(start, h);
       if (truth == nullptr) continue;
-      const double ahead = truth->time - start.last.time;
-      const Eigen::Vector2d moved = Eigen::Vector2d(truth->x - start.last.x, truth->y - start.last.y);
+      const Eigen::Vector2d moved(truth->x - start.last.x, truth->y - start.last.y);
       Tally& tally = tallies[h];
       ++tally.truths;
       tally.hold.push_back(moved.norm());
-      tally.constant.push_back((moved - undiminished(start.velocity, ahead)).norm());
+      tally.constant.push_back((moved - start.velocity * (truth->time - start.last.time)).norm());
       tally.decayed.push_back(decayed_error(start, *truth));
     }
   }
 
-  // Starts of one time, in the stretch `number`.
+  // Asks the predictor about starts at the same time, in the stretch with this number.
   void predictor(int number, std::span<const Start> starts, Forecaster& forecaster) {
     forecaster.listen(starts.front().index);
-    labels_.clear();
-    for (const Start& start : starts) labels_.push_back(forecaster.label_of(start.truth));
-    questions_.clear();
     const auto block =
         blocks_.emplace(std::pair(number, std::floor(starts.front().truth.time / block_length)), blocks_.size());
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      for (std::size_t h = 0; h < horizon_count; ++h) {
-        const Sample* truth = truth_of(starts[i], h);
-        if (truth != nullptr && labels_[i]) questions_.push_back({truth, h, *labels_[i], &starts[i]});
+    std::vector<Question> questions;
+    for (const Start& start : starts) {
+      const std::optional<int> label = forecaster.label_of(start.truth);
+      for (std::size_t h = 0; label && h < horizon_count; ++h) {
+        if (const Sample* truth = truth_of(start, h)) questions.push_back({truth, h, *label, &start});
       }
     }
-    std::stable_sort(questions_.begin(), questions_.end(),
-                     [](const Question& a, const Question& b) { return a.truth->time < b.truth->time; });
-    for (const Question& each : questions_) {
+    std::ranges::stable_sort(questions, {}, [](const Question& each) { return each.truth->time; });
+    for (const Question& each : questions) {
       forecaster.look(each.truth->time - starts.front().truth.time);
       const std::optional<Estimate> estimate = forecaster.estimate(each.label);
       if (!estimate) continue;
@@ -207,12 +223,106 @@ class Scores {
     const Start* start;
   };
   const config::PredictorStudy& study_;
-  std::vector<std::optional<int>> labels_;
-  std::vector<Question> questions_;
-  std::map<std::pair<int, double>, std::size_t> blocks_;  // by stretch and time: numbers from 0
+  std::map<std::pair<int, double>, std::size_t> blocks_;  // key: stretch and time; value: number of the block
 };
 
 }  // namespace
+
+std::optional<Eigen::Vector2d> fitted_velocity(std::span<const Sample> samples, int least) {
+  if (samples.size() < static_cast<std::size_t>(std::max(least, 2))) return std::nullopt;
+  const double count = static_cast<double>(samples.size());
+  const double origin = samples.back().time;  // times are large, so sums of differences are more exact
+  double time = 0.0;
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  for (const Sample& each : samples) {
+    time += (each.time - origin) / count;
+    place += Eigen::Vector2d(each.x, each.y) / count;
+  }
+  double spread = 0.0;
+  Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+  for (const Sample& each : samples) {
+    const double t = each.time - origin - time;
+    spread += t * t;
+    moment += t * (Eigen::Vector2d(each.x, each.y) - place);
+  }
+  if (spread <= 0.0) return std::nullopt;
+  return moment / spread;
+}
+
+Eigen::Vector2d rolled(const Eigen::Vector2d& velocity, double ahead, double deceleration) {
+  const double speed = std::sqrt(velocity.squaredNorm());
+  if (speed <= 0.0) return Eigen::Vector2d::Zero();
+  const double rolls = std::min(ahead, speed / deceleration);
+  return velocity / speed * (speed * rolls - 0.5 * deceleration * rolls * rolls);
+}
+
+Eigen::Vector2d slackened(const Eigen::Vector2d& velocity, double ahead, double time_constant) {
+  return velocity * (-time_constant * std::expm1(-ahead / time_constant));
+}
+
+Eigen::Vector2d decayed(const Eigen::Vector2d& velocity, double ahead,
+                        const config::PredictorStudy::Baselines& baselines) {
+  return baselines.deceleration ? rolled(velocity, ahead, *baselines.deceleration)
+                                : slackened(velocity, ahead, *baselines.time_constant);
+}
+
+std::vector<bool> untouched(std::span<const Sample> samples, double window) {
+  std::vector<bool> out(samples.size(), false);
+  std::size_t first = 0, end = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    while (samples[i].time - samples[first].time > window) ++first;
+    while (end < samples.size() && samples[end].time - samples[i].time <= window) ++end;
+    const std::optional<Eigen::Vector2d> before = fitted_velocity(samples.subspan(first, i + 1 - first), least_samples);
+    const std::optional<Eigen::Vector2d> after = fitted_velocity(samples.subspan(i, end - i), least_samples);
+    if (!before || !after) continue;
+    // Each velocity is the velocity in the middle of its window, so the two velocities are `window` seconds apart.
+    const double speed = before->norm();
+    const double slowed = speed > 0.0 ? std::min(1.0, sliding_deceleration * window / speed) : 0.0;
+    // The part of the old velocity that is nearest to the new velocity, among the parts that braking allows.
+    const double kept = speed > 0.0 ? std::clamp(before->dot(*after) / (speed * speed), 1.0 - slowed, 1.0) : 0.0;
+    out[i] = (*after - kept * *before).norm() < least_change;
+  }
+  return out;
+}
+
+ErrorRatios error_ratios(std::span<const PairedError> errors) {
+  constexpr std::size_t draws = 1000;
+  constexpr std::array shares{0.5, 0.9};
+  std::size_t blocks = 0;
+  for (const PairedError& each : errors) blocks = std::max(blocks, each.block + 1);
+  std::vector<std::size_t> sizes(blocks, 0);
+  for (const PairedError& each : errors) ++sizes[each.block];
+  std::vector<std::size_t> present;  // blocks with errors
+  for (std::size_t block = 0; block < blocks; ++block) {
+    if (sizes[block] > 0) present.push_back(block);
+  }
+
+  const Ordered predictor = ordered(errors, &PairedError::predictor),
+                baseline = ordered(errors, &PairedError::baseline);
+  const auto ratio = [&](double share, const std::vector<std::uint32_t>& times, std::size_t total) {
+    return quantile(predictor, share, times, total) / quantile(baseline, share, times, total);
+  };
+  std::array<std::vector<double>, shares.size()> drawn;
+  std::vector<std::uint32_t> times(blocks);
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    std::ranges::fill(times, 0U);
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < present.size(); ++i) {
+      const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(draw), 0, 0}};
+      const double uniform = r123::Philox4x32{}(counter, r123::Philox4x32::key_type{{0, 0}})[0] * 0x1p-32;
+      const std::size_t block = present[static_cast<std::size_t>(uniform * static_cast<double>(present.size()))];
+      ++times[block];
+      total += sizes[block];
+    }
+    for (std::size_t i = 0; i < shares.size(); ++i) drawn[i].push_back(ratio(shares[i], times, total));
+  }
+  std::ranges::fill(times, 1U);
+  const auto found = [&](std::size_t i) -> ErrorRatio {
+    return {ratio(shares[i], times, errors.size()), statistics::quantile(drawn[i], 0.025),
+            statistics::quantile(drawn[i], 0.975)};
+  };
+  return {found(0), found(1)};
+}
 
 Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& recording,
                     const plugin::Catalogue* catalogue, const EvaluationProgress& progress) {
@@ -226,7 +336,7 @@ Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& re
     const std::map<int, Path> paths = paths_of(stretch, seen);
     const std::vector<Start> starts = starts_of(stretch, paths, study);
     out.detections += seen.size();
-    out.observations += static_cast<std::size_t>(std::count(seen.begin(), seen.end(), true));
+    out.observations += static_cast<std::size_t>(std::ranges::count(seen, true));
     out.starts += starts.size();
     for (const Start& start : starts) scores.baselines(start);
     if (forecaster) {
@@ -249,18 +359,17 @@ Evaluation evaluate(const config::PredictorStudy& study, const GameRecording& re
   }
   for (std::size_t h = 0; h < horizon_count; ++h) {
     Tally& tally = scores.tallies[h];
-    AtHorizon& at = out.horizons[h];
-    at.horizon = study.questions.horizons[h];
-    at.truths = tally.truths;
-    at.answers = tally.predictor.size();
-    at.predictor = errors_of(tally.predictor);
-    at.hold = errors_of(tally.hold);
-    at.constant = errors_of(tally.constant);
-    at.decayed = errors_of(tally.decayed);
-    if (at.answers > 0) at.to_decayed = error_ratios(tally.to_decayed);
-    at.consistency = consistency_of(tally.nees);
-    at.untouched = tally.untouched_nees.size();
-    at.untouched_within_95 = consistency_of(tally.untouched_nees).within_95;
+    out.horizons[h] = {.horizon = study.questions.horizons[h],
+                       .truths = tally.truths,
+                       .answers = tally.predictor.size(),
+                       .predictor = errors_of(tally.predictor),
+                       .hold = errors_of(tally.hold),
+                       .constant = errors_of(tally.constant),
+                       .decayed = errors_of(tally.decayed),
+                       .to_decayed = tally.to_decayed.empty() ? ErrorRatios{} : error_ratios(tally.to_decayed),
+                       .consistency = consistency_of(tally.nees),
+                       .untouched = tally.untouched_nees.size(),
+                       .untouched_within_95 = consistency_of(tally.untouched_nees).within_95};
   }
   return out;
 }

@@ -1,13 +1,37 @@
 // SPDX-License-Identifier: MIT
 #include "study/prediction/forecast.hpp"
 
+#include <Random123/philox.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 #include "config/rules.hpp"
 #include "plugin/parameters.hpp"
 
 namespace regista::study {
+
+std::vector<bool> shown(const Stretch& stretch, const config::PredictorStudy::Observations& observations) {
+  constexpr double slack = 1e-6;  // s; tolerance, because recordings round their times
+  std::vector<bool> out(stretch.samples.size(), false);
+  std::map<int, double> last;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const Sample& sample = stretch.samples[i];
+    if (observations.every > 0.0) {
+      const auto [place, first] = last.emplace(sample.object, sample.time);
+      if (!first && sample.time - place->second < observations.every - slack) continue;
+      place->second = sample.time;
+    }
+    const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(sample.object),
+                                              static_cast<std::uint32_t>(stretch.number), 0}};
+    const r123::Philox4x32::key_type key{{static_cast<std::uint32_t>(observations.seed), 0}};
+    out[i] = r123::Philox4x32{}(counter, key)[0] * 0x1p-32 >= observations.drop;
+  }
+  return out;
+}
+
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -16,7 +40,7 @@ unsigned subject_of(const config::PredictorStudy& study) {
   return study.subject == config::PredictorStudy::Subject::ball ? REGISTA_SUBJECT_BALL : REGISTA_SUBJECT_OPPONENTS;
 }
 
-// Of the recording: its field and its robots; what no recording holds is as in the rules of the SPL.
+// The environment for the plugin: field and robots of the recording; all other values are from the rules of the SPL.
 regista_environment environment_of(const config::PredictorStudy& study) {
   const config::Rules rules;
   const config::FieldSize& field = rules.field;
@@ -128,7 +152,7 @@ std::optional<Estimate> Forecaster::estimate(int label) {
 }
 
 void Forecaster::carry(double seconds) {
-  constexpr double shortest = 1e-9;  // s: what is left of a difference of times is no time
+  constexpr double shortest = 1e-9;  // s; a shorter time comes only from rounding
   if (seconds <= shortest) return;
   const double steps = std::max(1.0, std::ceil(seconds / study_.questions.step - shortest));
   for (double k = 0.0; k < steps; k += 1.0) predictor_->predict(seconds / steps, nullptr, nullptr);

@@ -1,26 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Matches that are played together: some candidates on the same pairs, each against every opponent, at home and away.
-// What comes of them is a score for each candidate and pair.
+// A batch of matches that are played together. Several candidates play the same pairs, against every opponent, at home
+// and away. The batch gives one score for each candidate and pair.
 //
-// Order: pair after pair; in each, every candidate; of each, every opponent; home, then away.
+// The order of matches, from the outer to the inner loop, is: pairs, candidates, opponents, home and away.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "campaign/job.hpp"
 #include "campaign/store.hpp"
-#include "study/forfeits.hpp"
-#include "study/match_remarks.hpp"
-#include "study/packets_spent.hpp"
+#include "study/measure.hpp"
+#include "study/paired_estimates.hpp"
+#include "study/study.hpp"
 #include "study/tuning/tuning_plan.hpp"
 
 namespace regista::study {
 
-// Which pairs a batch plays: `first` and those after it.
+// The pairs of a batch: `count` pairs from pair `first` on.
 struct PairRange {
   TuningStage stage = TuningStage::search;
   std::uint64_t first_seed = 0;  // below 2^32
@@ -31,70 +33,91 @@ struct PairRange {
   }
 };
 
-// For whoever plays: fixtures, and the matches in order.
-struct MatchList {
-  struct Match {
-    std::size_t fixture;
-    std::uint64_t seed;
-  };
-  std::vector<campaign::Store::Fixture> fixtures;
-  std::vector<Match> matches;
-  std::uint64_t first_row = 0;  // place of the first of them among all of the study
-
-  campaign::Job job(std::size_t index) const {
-    campaign::Job out = fixtures[matches[index].fixture].job;
-    out.seed = matches[index].seed;
-    return out;
-  }
-};
-
-// Plays them, or reads them, and hands each on in order. False from `take`: enough. What it throws ends the tuning.
-using TakeMatch = std::function<bool(std::uint64_t index, const campaign::Decided& decided)>;
-using PlayMatches = std::function<void(const MatchList& matches, const TakeMatch& take)>;
-
 class PairBatch {
  public:
-  // head_to_head: the only opponent is the base team. The plan outlives the batch.
+  // head_to_head: true if the base team is the only opponent. The plan must outlive the batch.
   PairBatch(const TuningPlan& plan, const TunedDocument& document, const std::vector<ParameterValues>& candidates,
             const PairRange& pairs, bool head_to_head = false);
+  PairBatch(const PairBatch&) = delete;  // the functions of round_ point to this object
+  PairBatch& operator=(const PairBatch&) = delete;
 
-  const MatchList& list() const { return list_; }
-  MatchList& list() { return list_; }
+  // The round with all matches of the batch. The caller sets `take`, and sets `first_row` if it is not 0.
+  const Round& round() const { return round_; }
+  Round& round() { return round_; }
 
-  // Precondition: match 0, then 1, ... True when a pair has been completed for all candidates.
-  bool take(const campaign::Decided& decided, ForfeitList& forfeits, MatchRemarks& remarks);
+  // Precondition: match 0, 1, ... in order. Returns true if the match completes a pair of all candidates.
+  bool take(const campaign::MatchResult& decided, ForfeitList& forfeits, MatchRemarks& remarks);
 
   std::uint64_t pairs() const { return pairs_done_; }
-  // By pair; not a number where a match has none, as that of an opponent that forfeits. Head-to-head: the candidate's
-  // own less the base team's.
+  // By pair: the score (head-to-head: minus the base team's score); NaN without a score, e.g. if an opponent forfeits.
   const std::vector<double>& scores(std::size_t candidate) const { return scores_[candidate]; }
-  // By pair: a match of it could not be played, so that its score is missing.
+  // By pair: whether the score is missing because a match could not be played.
   const std::vector<bool>& unplayed(std::size_t candidate) const { return unplayed_[candidate]; }
-  std::uint64_t unplayed_pairs() const { return unplayed_pairs_; }  // of all candidates
-  // Of this candidate, in its matches.
+  std::uint64_t unplayed_pairs() const { return unplayed_pairs_; }  // sum over all candidates
   const PacketsSpent& packets(std::size_t candidate) const { return packets_[candidate]; }
-  // A match of this candidate was forfeited by it.
-  bool failed(std::size_t candidate) const { return failed_[candidate]; }
+  bool failed(std::size_t candidate) const { return failed_[candidate]; }  // the candidate forfeited a match
 
  private:
-  void add_fixtures(const TunedDocument& document, const std::vector<ParameterValues>& candidates,
-                    const std::vector<std::size_t>& scenes);
-  double score(const campaign::Decided& away, bool of_opponent) const;
+  double score(const campaign::MatchResult& away, bool of_opponent) const;
 
   const TuningPlan& plan_;
   std::span<const TuningOpponent> opponents_;
   bool head_to_head_;
-  std::optional<ScoreBounds> bounds_;  // of scores that are no differences
-  MatchList list_;
+  std::optional<ScoreBounds> bounds_;  // nullopt: scores have no bounds, or head-to-head
+  Round round_;
+  std::vector<Round::Place> places_;         // by match
   std::vector<std::vector<double>> scores_;  // by candidate
   std::vector<std::vector<bool>> unplayed_;  // by candidate
   PacketsOfShortGames short_games_;
   std::vector<PacketsSpent> packets_;  // by candidate
   std::vector<bool> failed_;
   std::uint64_t next_ = 0, pairs_done_ = 0, unplayed_pairs_ = 0;
-  campaign::Decided home_;  // of the two matches under way, the first
-  double sum_ = 0.0;        // over the opponents of the candidate under way
-  bool broken_ = false;     // one of its matches could not be played
+  campaign::MatchResult home_;  // result of the first of the two current matches
+  double sum_ = 0.0;            // score of the current candidate, over its opponents so far
+  bool broken_ = false;         // a match of the current candidate could not be played
 };
+
+// Facts about the matches of all stages, without their scores.
+struct MatchTally {
+  explicit MatchTally(const TuningPlan& plan) : forfeits(plan.opponents.size() + 2) {}
+
+  ForfeitList forfeits;              // team 0: the tuned team; then the opponents; last: the base team as an opponent
+  MatchRemarks remarks;              // matches are numbered from 0 over all rounds
+  std::uint64_t unplayed_pairs = 0;  // candidates' pairs with a match that could not be played
+  std::uint64_t matches = 0;         // number of matches of all rounds so far
+  std::uint64_t taken = 0;           // number of these matches with a result
+
+  // See Study::unplayable(). All matches count as one pairing, because the tuned team plays in each match.
+  std::string unplayable() const {
+    if (remarks.unplayed().count() < most_set_aside) return {};
+    return why_unplayable("the tuned team", remarks.unplayed().listed().back().text);
+  }
+};
+
+// The objects that every stage uses to play matches. All of them must outlive the MatchSource.
+struct MatchSource {
+  const TuningPlan& plan;
+  const TunedDocument& document;
+  const PlayRound& play;
+  MatchTally& tally;
+};
+
+// Plays a batch. The rows of its matches follow the rows of all earlier batches in the file of results. after_pair:
+// called after each pair of all candidates; a result false ends the batch; may be empty. Throws what `play` throws.
+void play_batch(const MatchSource& source, PairBatch& batch, const std::function<bool()>& after_pair = {});
+
+// The score of a candidate in its matches, and the number that a search gets for the candidate, even if the team
+// forfeited or no match has a value for the objective. A larger score is always better, also for a minimised objective.
+struct PlayedScore {
+  MeanEstimate score;    // over pairs
+  bool failed = false;   // a plugin of the team forfeited a match
+  double counted = 0.0;  // number for the search: the mean score; a worst value after a forfeit or without scores
+};
+
+// The score of a candidate of a batch. worst: the least score so far; infinite before the first score.
+PlayedScore played_score(const TuningPlan& plan, const PairBatch& batch, std::size_t candidate, double worst);
+
+// The least of `worst` and all scores of the batch's first `candidates` candidates.
+double worst_of(const PairBatch& batch, std::size_t candidates, double worst);
 
 }  // namespace regista::study

@@ -1,21 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "study/tuning/pair_search.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "study/tuning/base_team_check.hpp"
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+
+#include "config/scalar.hpp"
 #include "study/tuning/search.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
 
-// The value of points for one search: what was played, and what is played for the next question.
+// The first failure that caused a forfeit: of the tuned team if `of_tuned`, else of any other team; null: no failure.
+const campaign::Failure* first_failure(const MatchTally& tally, bool of_tuned) {
+  const std::vector<Forfeits>& listed = tally.forfeits.listed();
+  const auto first =
+      std::ranges::find_if(listed, [of_tuned](const Forfeits& each) { return (each.team == 0) == of_tuned; });
+  return first == listed.end() ? nullptr : &first->failure;
+}
+
+std::string in_words(const campaign::Failure& failure, const std::string& team) {
+  const std::string plugin = failure.plugin.empty() ? "a plugin of " + team : "plugin " + failure.plugin;
+  const std::string call = failure.call.empty() ? "" : " in " + failure.call;
+  return texts::one_line(plugin + call + ": " + failure.what);
+}
+
+std::string why_no_number(const MatchTally& tally) {
+  const std::vector<MatchRemark>& unplayed = tally.remarks.unplayed().listed();
+  if (!unplayed.empty()) return ": they could not be played: " + texts::one_line(unplayed.front().text);
+  const campaign::Failure* const failure = first_failure(tally, false);
+  return failure == nullptr ? "" : ": opponents forfeit: " + in_words(*failure, "an opponent");
+}
+
+// Answers the questions of a search with the scores of earlier matches, or with new matches.
 class PairEvaluation {
  public:
   PairEvaluation(const MatchSource& source, std::uint64_t pairs, std::vector<SearchStep>& steps)
       : source_(source), pairs_(pairs), steps_(steps) {}
 
-  // What the search is told about points that play a set of pairs together.
+  // The numbers that the search gets for points that play the same set of pairs.
   std::vector<double> of(const std::vector<ParameterValues>& points, std::uint64_t set) {
     std::vector<ParameterValues> fresh;
     for (const ParameterValues& each : points) {
@@ -39,7 +65,7 @@ class PairEvaluation {
  private:
   void play(const std::vector<ParameterValues>& fresh, std::uint64_t set) {
     const TuningPlan& plan = source_.plan;
-    PairBatch batch(plan, source_.document, fresh, {TuningStage::search, plan.seed(), set * pairs_, pairs_});
+    PairBatch batch(plan, source_.document, fresh, {TuningStage::search, plan.first_seed(), set * pairs_, pairs_});
     play_batch(source_, batch);
     worst = worst_of(batch, fresh.size(), worst);
     for (std::size_t i = 0; i < fresh.size(); ++i) {
@@ -50,16 +76,10 @@ class PairEvaluation {
   }
 
   void add_step(const ParameterValues& values, std::uint64_t set, const PlayedScore& played, bool repeated) {
-    SearchStep step;
-    step.evaluation = steps_.size() + 1;
-    step.pairs_from = set * pairs_;
-    step.values = values;
-    step.played = played;
-    step.repeated = repeated;
-    step.best = steps_.empty() ? played.counted : std::max(steps_.back().best, played.counted);
-    step.matches =
-        (steps_.empty() ? 0 : steps_.back().matches) + (repeated ? 0 : pairs_ * source_.plan.matches_of_pair());
-    steps_.push_back(std::move(step));
+    const double best = steps_.empty() ? played.counted : std::max(steps_.back().best, played.counted);
+    const std::uint64_t matches = repeated ? 0 : pairs_ * source_.plan.matches_of_pair();
+    steps_.push_back({steps_.size() + 1, set * pairs_, values, played, repeated, best,
+                      matches + (steps_.empty() ? 0 : steps_.back().matches)});
   }
 
   const MatchSource& source_;
@@ -70,8 +90,8 @@ class PairEvaluation {
 SearchSettings settings_of(const TuningPlan& plan) {
   SearchSettings out;
   out.start = point_of(plan, start_values(plan));
-  out.evaluations = plan.evaluations() - 1;  // the base team is looked at first
-  // Points that whole numbers make equal cost no matches; who does not plan by its budget may ask for others instead.
+  out.evaluations = plan.evaluations() - 1;  // the base team is evaluated first
+  // Points that rounding makes equal cost no matches, so algorithms that do not plan by the budget get more points.
   constexpr std::uint64_t most_repeats = 4;
   const bool plans = plan.algorithm() == Algorithm::spsa || plan.algorithm() == Algorithm::sep_cma_es ||
                      plan.algorithm() == Algorithm::random_search;
@@ -81,7 +101,52 @@ SearchSettings settings_of(const TuningPlan& plan) {
   return out;
 }
 
+using Clock = std::chrono::steady_clock;
+
+// Keys in the file of results.
+constexpr auto end_of_search = "search ended after";
+constexpr auto time_of_search = "time of search";
+
+// The number of points after which the time of the search was up; nullopt if the search did not end in this way.
+std::optional<std::uint64_t> stored_end(const campaign::Store& store) {
+  const std::string text = store.meta(end_of_search);
+  std::uint64_t out = 0;
+  if (text.empty()) return std::nullopt;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  if (error != std::errc() || rest != text.data() + text.size()) {
+    throw campaign::StoreError("the end of the search in the results is damaged");
+  }
+  return out;
+}
+
+// The state of the search when it was last stored: number of points, and wall time.
+struct SearchTime {
+  std::uint64_t evaluations = 0;
+  double seconds = 0.0;
+};
+
+SearchTime stored_time(const campaign::Store& store) {
+  const std::string text = store.meta(time_of_search);
+  SearchTime out;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, out.evaluations);
+  if (error == std::errc() && rest != end) std::from_chars(rest + 1, end, out.seconds);
+  return out;
+}
+
 }  // namespace
+
+void check_base_team(const TuningPlan& plan, const PlayedScore& played, const MatchTally& tally) {
+  if (played.failed) {
+    const campaign::Failure* const failure = first_failure(tally, true);
+    throw TuningError("the base team forfeits its first matches" +
+                      (failure == nullptr ? std::string() : ": " + in_words(*failure, "the base team")));
+  }
+  if (played.score.pairs == 0) {
+    throw TuningError(fmt::format("the base team's first matches have no number for the objective, {}{}",
+                                  in_words(plan.objective), why_no_number(tally)));
+  }
+}
 
 std::optional<PlayedScore> seen_in_search(const SearchScores& scores, const ParameterValues& values,
                                           double confidence) {
@@ -108,12 +173,10 @@ SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out
   SearchResult found = search(plan.algorithm(), settings_of(plan), [&](const Question& question) {
     if (steps.back().matches + matches > plan.evaluations() * matches) {
       stopped = "budget used up";
-      return std::vector<double>();
-    }
-    if (out_of_time && out_of_time(steps.size())) {
+    } else if (out_of_time && out_of_time(steps.size())) {
       stopped = "its time was up";
-      return std::vector<double>();
     }
+    if (!stopped.empty()) return std::vector<double>();
     std::vector<ParameterValues> values;
     for (const Point& point : question.points) values.push_back(values_of(plan, point));
     return evaluation.of(values, question.pairs);
@@ -124,6 +187,29 @@ SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out
   out.scores = std::move(evaluation.scores);
   out.worst = evaluation.worst;
   return out;
+}
+
+OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::optional<campaign::Moment> end_of_time) {
+  if (stored_end(store)) return stored_end_of_search(store);
+  if (!plan.asked.search.minutes && !end_of_time) return {};
+  const double most = plan.asked.search.minutes ? 60.0 * *plan.asked.search.minutes : HUGE_VAL;
+  return [&store, most, end_of_time, before = stored_time(store),
+          began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
+    // Points of an earlier run are read, not played. The earlier run had time for them, and reading takes no time.
+    if (evaluations < before.evaluations) return false;
+    if (!began) began = Clock::now();
+    const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();
+    store.set_meta(time_of_search, std::to_string(evaluations) + ' ' + config::real_text(seconds));
+    const bool past = end_of_time && std::chrono::system_clock::now() >= *end_of_time;
+    if (seconds < most && !past) return false;
+    // The stored end belongs to the results. Each reading of the results ends the search here.
+    store.set_meta(end_of_search, std::to_string(evaluations));
+    return true;
+  };
+}
+
+OutOfTime stored_end_of_search(const campaign::Store& store) {
+  return [ended = stored_end(store)](std::uint64_t evaluations) { return ended && evaluations >= *ended; };
 }
 
 }  // namespace regista::study

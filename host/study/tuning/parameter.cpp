@@ -7,13 +7,11 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <string_view>
 
 #include "config/overlay.hpp"
 #include "config/scalar.hpp"
-#include "config/team_page.hpp"
+#include "config/team_document.hpp"
 #include "texts/message.hpp"
-#include "texts/nearest.hpp"
 
 namespace regista::study {
 namespace {
@@ -25,8 +23,7 @@ class Collector {
  public:
   explicit Collector(std::span<const config::PluginDeclaration> plugins) : plugins_(plugins) {}
 
-  // use: what stands there; said: whether the document itself says so at a path below it; usual: the plugin that is
-  // meant where it names none.
+  // use: the node at `path`. said: whether the document sets a key below `path`. usual: the plugin if `use` names none.
   template <class Said>
   void plugin(const std::string& path, const char* kind, const Node& use, Said said, const std::string& usual = "") {
     const Node named = use["plugin"];
@@ -37,26 +34,22 @@ class Collector {
     for (const PluginParameter& each : declared->parameters) {
       const bool number = each.type == PluginParameter::Type::real || each.type == PluginParameter::Type::integer;
       const Node value = use["params"][each.name];
-      Tunable out;
-      out.path = fmt::format("{}.params.{}", path, each.name);
-      out.value = number && value.kind() == Node::Kind::scalar ? config::to_real(value, out.path) : each.initial;
-      out.least = each.minimum;
-      out.most = each.maximum;
-      out.integer = each.type == PluginParameter::Type::integer;
-      out.log_scale = each.log_scale;
-      out.unit = each.unit;
-      out.doc = each.doc;
-      out.said = said("plugin") || said("params." + each.name);
+      const std::string at = fmt::format("{}.params.{}", path, each.name);
+      const double start = number && value.kind() == Node::Kind::scalar ? config::to_real(value, at) : each.initial;
+      Tunable& out = found_.emplace_back(
+          Tunable{{at, start, each.minimum, each.maximum, each.type == PluginParameter::Type::integer, each.log_scale,
+                   each.unit, each.doc},
+                  "",
+                  said("plugin") || said("params." + each.name)});
       if (!number) {
         out.refusal = fmt::format("plugin {} declares it as something else than a number", declared->id);
       } else if (!each.tunable) {
         out.refusal = fmt::format("plugin {} does not declare it tunable", declared->id);
       }
-      found_.push_back(std::move(out));
     }
   }
 
-  // before: "" or "contexts.search.use."; use: what the context itself says, absent for the team's own.
+  // before: start of all paths: "" for the team, "contexts.search.use." for a context. use: the context's own values.
   void coordination(const std::string& before, const Node& values, const Node& use) {
     const auto below = [&](const std::string& path) {
       return [&before, &use, path](const std::string& key) {
@@ -75,7 +68,7 @@ class Collector {
     plugin(fmt::format("{}sender", before), "sender", values["sender"], below("sender"));
   }
 
-  // Those that the page says something of, then those that its roles may act by.
+  // First adds the behaviours that the document lists, then the other behaviours that its roles may use.
   void behaviours(const Node& team) {
     const auto path_of = [](const std::string& name) { return fmt::format("behaviours.{}", name); };
     const Node written = team["behaviours"];
@@ -105,9 +98,9 @@ class Collector {
 
  private:
   void weight(const std::string& path, const Node& term, bool said) {
-    Tunable out;
+    Tunable& out = found_.emplace_back();
     out.path = fmt::format("{}.weight", path);
-    out.value = term["weight"] ? config::to_real(term["weight"], out.path) : config::UtilityTerm{}.weight;
+    out.start = term["weight"] ? config::to_real(term["weight"], out.path) : config::UtilityTerm{}.weight;
     const auto range = term["tune"].elements();
     if (range.size() == 2) {
       out.least = config::to_real(range[0], out.path);
@@ -115,10 +108,9 @@ class Collector {
     } else {
       out.refusal = "its term has no `tune: [least, largest]`";
     }
-    out.unit = std::string("1");
-    out.doc = std::string("weight of this term in the sum");
+    out.unit = "1";
+    out.doc = "weight of this term in the sum";
     out.said = said;
-    found_.push_back(std::move(out));
   }
 
   std::span<const config::PluginDeclaration> plugins_;
@@ -200,7 +192,7 @@ std::vector<Tunable> tunables(const Node& team, std::span<const config::PluginDe
 }
 
 std::vector<Parameter> chosen_parameters(std::span<const config::TunedPath> paths, std::span<const Tunable> all) {
-  std::vector<const config::TunedPath*> by(all.size());  // that chose it, null: none
+  std::vector<const config::TunedPath*> by(all.size());  // for each number, the path that chose it; null: not chosen
   std::vector<Parameter> found(all.size());
   for (const config::TunedPath& asked : paths) {
     bool any = false;
@@ -215,9 +207,9 @@ std::vector<Parameter> chosen_parameters(std::span<const config::TunedPath> path
       }
       any = true;
       Parameter& parameter = found[i];
-      parameter = {each.path, each.value, each.least, each.most, each.integer, each.log_scale, each.unit, each.doc};
+      parameter = each;
       if (asked.range) narrow(parameter, asked);
-      // A pattern with a range may be followed by one path without: the range stays.
+      // If this path has no range, the range of an earlier pattern stays.
       if (!asked.range && by[i] != nullptr && by[i]->range) {
         narrow(parameter, *by[i]);
         continue;

@@ -4,17 +4,137 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
-#include "config/overlay.hpp"
 #include "config/parse.hpp"
-#include "config/typed.hpp"
+#include "config/read.hpp"
+#include "match/metric_table.hpp"
 #include "study/measure.hpp"
+#include "study/plan_fields.hpp"
 
 namespace regista::study {
+namespace {
+
+using config::Node;
+
+const config::Location nowhere;
+
+bool sound(const Parameter& each) {
+  return each.least <= each.start && each.start <= each.most && (!each.log_scale || each.fixed() || each.least > 0.0);
+}
+
+std::string in_words(const std::vector<Parameter>& parameters) {
+  std::string out;
+  for (const Parameter& each : parameters) {
+    out += fmt::format("{}{} {} to {} from {}{}{}", out.empty() ? "" : ", ", each.path, each.least, each.most,
+                       each.start, each.integer ? ", whole" : "", each.log_scale ? ", logarithmic" : "");
+  }
+  return out;
+}
+
+TuningObjective objective_of(const config::Tuning& asked) {
+  TuningObjective out;
+  out.minimise = !asked.objective.minimise.empty();
+  for (const auto* const terms : {&asked.objective.maximise, &asked.objective.minimise}) {
+    for (const config::TuningObjective::Term& each : *terms)
+      out.terms.push_back({std::string(match::without_roles(each.measure)), each.weight});
+  }
+  if (out.terms.empty()) out.terms = {{"goal_difference", 1.0}};
+  return out;
+}
+
+// If the tuned team plays against the base team, the same disturbance applies to both.
+void make_jobs(const TuningPlan& plan, TuningOpponent& opponent, bool is_base) {
+  const config::Tuning& asked = plan.asked;
+  ask_for(opponent.jobs,
+          {asked.team, opponent.file, asked.disturbance, is_base ? asked.disturbance : asked.opponent_disturbance,
+           settings_of(plan, is_base)},
+          asked.settings, plan.plugins);
+}
+
+std::vector<std::string> parts_of(const std::string& path) {
+  std::vector<std::string> out;
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    out.push_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return out;
+}
+
+// Returns the map with `value` at the end of a path of keys. Adds the maps of the path that are missing.
+Node inserted(const Node& map, std::span<const std::string> path, const Node& value) {
+  std::vector<Node::Entry> entries(map.entries().begin(), map.entries().end());
+  auto found = std::ranges::find(entries, path.front(), &Node::Entry::key);
+  if (found == entries.end()) {
+    entries.push_back({path.front(), nowhere, Node()});
+    found = entries.end() - 1;
+  }
+  found->value = path.size() == 1 ? value : inserted(found->value, path.subspan(1), value);
+  return Node::map(std::move(entries), nowhere);
+}
+
+// Adds a setting to an overlay. The value comes from the whole document, because a later setting may have replaced this
+// value, and because file names in the whole document are valid in every folder.
+void add(Node& overlay, const Node& whole, const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  const std::vector<std::string> parts = parts_of(setting.substr(0, equals));
+  Node at = whole;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (at.kind() == Node::Kind::sequence) {
+      overlay = inserted(overlay, std::span(parts).first(i), at);
+      return;
+    }
+    at = at[parts[i]];
+  }
+  const bool removes =
+      config::parse_value(std::string_view(setting).substr(equals + 1), nowhere).kind() == Node::Kind::null;
+  if (at || removes) overlay = inserted(overlay, parts, at ? at : Node::null(nowhere));
+}
+
+}  // namespace
+
+// These functions are not in the unnamed namespace, because templates find them by argument-dependent lookup.
+
+template <Like<Parameter> Value, class Visit>
+static void fields(Value& parameter, Visit& visit) {
+  visit("path", parameter.path);
+  visit("start", parameter.start);
+  visit("least", parameter.least);
+  visit("most", parameter.most);
+  visit("integer", parameter.integer);
+  visit("log_scale", parameter.log_scale);
+  visit("unit", parameter.unit);
+  visit("doc", parameter.doc);
+}
+
+template <Like<TuningOpponent> Opponent, class Visit>
+static void fields(Opponent& opponent, Visit& visit) {
+  visit("label", opponent.label);
+  visit("home", opponent.jobs[0]);
+  visit("away", opponent.jobs[1]);
+}
+
+template <Like<TuningPlan> Plan, class Visit>
+static void fields(Plan& plan, Visit& visit) {
+  visit("team_document", plan.document);
+  visit("parameters", plan.parameters);
+  visit("opponents", plan.opponents);
+  visit("base", plan.base);
+  visit("openings", plan.openings);
+  visit("most_goals", plan.most_goals);
+  visit("search_pairs", plan.search_pairs);
+  visit("pairs", plan.pairs);
+  visit("selection_pairs", plan.selection_pairs);
+  visit("verification_pairs", plan.verification_pairs);
+  visit("folder", plan.folder);
+  visit("plugins", plan.plugins);
+  visit.maybe("program", plan.program);
+}
 
 const char* name(TuningStage stage) {
   constexpr std::array names{"search", "selection", "verification", "slices"};
@@ -44,7 +164,7 @@ ParameterValues values_of(const TuningPlan& plan, const Eigen::VectorXd& point) 
   ParameterValues out;
   Eigen::Index next = 0;
   for (const Parameter& each : plan.parameters) {
-    // The start itself, whatever rounding would make of it.
+    // A fixed parameter keeps its value exactly, without rounding.
     if (each.fixed()) {
       out.push_back(each.least);
       continue;
@@ -55,35 +175,33 @@ ParameterValues values_of(const TuningPlan& plan, const Eigen::VectorXd& point) 
   return out;
 }
 
-static config::Node document_of(const TuningPlan& plan) {
+TunedDocument::TunedDocument(const TuningPlan& plan) : plan_(plan) {
+  const auto require = [](bool sound) {
+    if (!sound) throw std::invalid_argument("its plan is damaged");
+  };
+  config::Node document;
   try {
-    return config::parse_text(plan.document, plan.asked.team);
+    document = config::parse_text(plan.document, plan.asked.team);
   } catch (const config::Error& error) {
     throw std::invalid_argument(fmt::format("its plan is damaged: {}", error.what()));
   }
-}
-
-TunedDocument::TunedDocument(const TuningPlan& plan) : plan_(plan) {
-  const config::Node document = document_of(plan);
-  std::vector<std::size_t> lines{0};  // where they begin
+  std::vector<std::size_t> lines{0};  // offsets at which the lines begin
   for (std::size_t i = 0; i < plan.document.size(); ++i) {
     if (plan.document[i] == '\n') lines.push_back(i + 1);
   }
   for (std::size_t i = 0; i < plan.parameters.size(); ++i) {
     const config::Node value = config::value_at(document, plan.parameters[i].path);
-    if (value.kind() != config::Node::Kind::scalar) throw std::invalid_argument("its plan is damaged");
+    require(value.kind() == config::Node::Kind::scalar);
     const config::Location& where = value.where();
     const std::size_t begin =
         lines.at(static_cast<std::size_t>(where.line - 1)) + static_cast<std::size_t>(where.column - 1);
     const std::string& text = value.text();
-    const bool as_it_stands = begin < plan.document.size() && plan.document.compare(begin, text.size(), text) == 0;
-    if (text.empty() || value.quoted() || !as_it_stands) throw std::invalid_argument("its plan is damaged");
+    require(!text.empty() && !value.quoted() && begin < plan.document.size() &&
+            plan.document.compare(begin, text.size(), text) == 0);
     places_.push_back({begin, text.size(), i});
   }
   std::ranges::sort(places_, std::greater(), &Place::begin);
-  if (std::ranges::adjacent_find(places_, {}, &Place::begin) != places_.end()) {
-    throw std::invalid_argument("its plan is damaged");
-  }
+  require(std::ranges::adjacent_find(places_, {}, &Place::begin) == places_.end());
 }
 
 std::string TunedDocument::with(const ParameterValues& values) const {
@@ -118,7 +236,7 @@ std::string in_words(const TuningObjective& objective) {
 std::optional<ScoreBounds> score_bounds(const TuningPlan& plan) {
   ScoreBounds out{0.0, 0.0};
   for (const ObjectiveTerm& each : plan.objective.terms) {
-    double least = 0.0, most = 1.0;  // of points
+    double least = 0.0, most = 1.0;  // for the measure "points"
     if (each.measure == "goal_difference") {
       most = plan.most_goals;
       least = -most;
@@ -144,22 +262,18 @@ std::optional<double> difference_bound(const TuningPlan& plan) {
 
 std::uint64_t least_verification_pairs(const TuningPlan& plan) {
   const double needed = -std::log1p(-plan.confidence());
-  // All differences equal, and as large as can be. A bet wins three quarters of a capital at most, and half is staked
-  // on either side; without bounds the differences are their own spread.
+  // In the best case, all differences are equal and as large as possible. The test bets half of the capital on each
+  // side; a bet wins at most 3/4 of its capital. Without bounds, the test estimates the spread from the differences.
   if (widest_difference(plan)) return static_cast<std::uint64_t>(std::ceil((needed + std::log(2.0)) / std::log(1.75)));
   std::uint64_t pairs = 1;
   while (0.5 * static_cast<double>(pairs - 1) - 0.5 * std::log(static_cast<double>(pairs)) < needed) ++pairs;
   return pairs;
 }
 
-static std::uint64_t matches_of_verified_pair(const TuningPlan& plan, std::uint64_t candidates) {
-  return plan.head_to_head() ? 2 * candidates : (candidates + 1) * plan.matches_of_pair();
-}
-
 std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates) {
   if (candidates == 0) return 0;
-  return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates()) /
-         matches_of_verified_pair(plan, candidates);
+  return plan.verification_pairs * plan.matches_of_verified_pair(plan.candidates()) /
+         plan.matches_of_verified_pair(candidates);
 }
 
 campaign::Metrics wanted_metrics(const TuningPlan& plan) {
@@ -178,7 +292,7 @@ std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
     case TuningStage::selection:
       return plan.finalists() * plan.selection_pairs * pair;
     case TuningStage::verification:
-      return plan.verification_pairs * matches_of_verified_pair(plan, plan.candidates());
+      return plan.verification_pairs * plan.matches_of_verified_pair(plan.candidates());
     case TuningStage::slices:
       return plan.slice_points() == 0 ? 0
                                       : (plan.slice_points() * plan.free_parameters() + 1) * plan.slice_pairs() * pair;
@@ -187,12 +301,107 @@ std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage) {
 }
 
 std::uint64_t most_matches(const TuningPlan& plan) {
-  std::uint64_t sum = 0;
-  for (const TuningStage stage :
-       {TuningStage::search, TuningStage::selection, TuningStage::verification, TuningStage::slices}) {
-    sum += most_matches(plan, stage);
+  using enum TuningStage;
+  return most_matches(plan, search) + most_matches(plan, selection) + most_matches(plan, verification) +
+         most_matches(plan, slices);
+}
+
+config::Overrides settings_of(const TuningPlan& plan, bool against_base) {
+  const config::Overrides all = settings_of(plan.asked.settings.set, "set");
+  if (!against_base) return all;
+  config::Overrides out;
+  for (const config::Override& each : all) {
+    if (each.path.starts_with("opponent.")) continue;
+    out.push_back(each);
+    if (is_of_own_team(each.path)) out.emplace_back("opponent." + each.path, each.value, each.where);
   }
-  return sum;
+  return out;
+}
+
+void complete(TuningPlan& plan) {
+  plan.objective = objective_of(plan.asked);
+  plan.settings.clear();
+  for (const config::Override& each : settings_of(plan, false)) {
+    // These settings go into the tuned team's file. The base team as an opponent also has these settings.
+    if (is_of_own_team(each.path)) plan.settings.push_back(to_string(each));
+  }
+  plan.opponents.resize(plan.asked.opponents.size());
+  double sum = 0.0;
+  for (const config::Tuning::Opponent& each : plan.asked.opponents) sum += each.weight;
+  for (std::size_t i = 0; i < plan.opponents.size(); ++i) {
+    plan.opponents[i].file = plan.asked.opponents[i].team;
+    plan.opponents[i].weight = plan.asked.opponents[i].weight / sum;
+    make_jobs(plan, plan.opponents[i], false);
+  }
+  plan.base.file = plan.asked.team;
+  make_jobs(plan, plan.base, true);
+}
+
+// Checks the numbers of a plan. The upper bounds are the same as in a tuning document.
+bool sound(const TuningPlan& plan) {
+  constexpr std::uint64_t most_pairs = 10'000'000;
+  const auto within = [](std::uint64_t least, std::uint64_t count, std::uint64_t most) {
+    return least <= count && count <= most;
+  };
+  const auto population = static_cast<std::size_t>(plan.population());  // used only if the algorithm has a population
+  return plan.free_parameters() > 0 && plan.most_goals >= 1 && within(1, plan.pairs, most_pairs) &&
+         within(plan.pairs, plan.search_pairs, most_pairs) && within(1, plan.selection_pairs, most_pairs) &&
+         within(0, plan.verification_pairs, most_pairs) &&
+         std::ranges::all_of(plan.parameters, [](const Parameter& each) { return sound(each); }) &&
+         plan.evaluations() > least_evaluations(plan.algorithm(), plan.free_parameters(), population);
+}
+
+std::string to_json(const TuningPlan& plan) { return plan_text(tuning_study, plan); }
+
+TuningPlan tuning_plan_from_json(const std::string& text) {
+  return read_plan<TuningPlan>(text, tuning_study, tuning_of_version_1, [](TuningPlan& plan) {
+    if (plan.opponents.size() != plan.asked.opponents.size() || !algorithm_named(plan.asked.search.algorithm) ||
+        !sound(plan))
+      throw std::out_of_range("what no tuning has");
+    complete(plan);
+  });
+}
+
+std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now) {
+  config::Tuning asked = now.asked;
+  std::vector<std::string> out = config::differences(asked_by(before), declare(asked));
+  if (before.parameters != now.parameters) {
+    out.push_back(fmt::format("the parameters: was {}, now {}", in_words(before.parameters), in_words(now.parameters)));
+  }
+  for (const auto& [what, pairs] : {std::pair{"pairs of the search", &TuningPlan::search_pairs},
+                                    {"pairs for each evaluation", &TuningPlan::pairs},
+                                    {"pairs of the selection", &TuningPlan::selection_pairs},
+                                    {"pairs of the verification", &TuningPlan::verification_pairs}}) {
+    if (before.*pairs != now.*pairs) out.push_back(fmt::format("{}: was {}, now {}", what, before.*pairs, now.*pairs));
+  }
+  if (!out.empty()) return out;  // the code below needs plans with the same opponents
+  InputDifferences inputs;
+  const auto add = [&](const campaign::Job& old, const campaign::Job& fresh, const std::string& other) {
+    inputs.add("the team: ", old.home_inputs, fresh.home_inputs);
+    inputs.add(other, old.away_inputs, fresh.away_inputs);
+    inputs.add("", old.common_inputs, fresh.common_inputs);
+  };
+  for (std::size_t i = 0; i < now.opponents.size(); ++i) {
+    const OwnJobs &old = before.opponents[i].jobs, &fresh = now.opponents[i].jobs;
+    add(old[0], fresh[0], now.opponents[i].label + ": ");
+    inputs.add("", old[1].common_inputs, fresh[1].common_inputs);
+  }
+  for (const std::size_t side : {0u, 1u}) add(before.base.jobs[side], now.base.jobs[side], "the team: ");
+  return std::move(inputs).with_openings(before.openings, now.openings);
+}
+
+std::string tuned_team(const TuningPlan& plan, const ParameterValues& values, const std::string& name,
+                       const std::string& base) {
+  const Node whole = config::parse_text(TunedDocument(plan).with(values), plan.asked.team);
+  Node overlay = Node::map({}, nowhere);
+  for (const std::string& each : plan.settings) {
+    if (!each.starts_with("team=")) add(overlay, whole, each);  // the new file has its own name
+  }
+  for (const std::string& each : settings_of(plan, values)) add(overlay, whole, each);
+  const Node head = Node::map(
+      {{"extends", nowhere, Node::scalar(base, true, nowhere)}, {"team", nowhere, Node::scalar(name, false, nowhere)}},
+      nowhere);
+  return config::block(head) + '\n' + config::block(overlay);
 }
 
 }  // namespace regista::study

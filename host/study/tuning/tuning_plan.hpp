@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: MIT
-// A tuning as it was fixed before its first match: what may change, who is played, what counts as better, by which
-// algorithm, how much, and which test decides. From it and the results of matches everything follows: which point is
-// tried next, which ones are candidates, and what is said about them.
+// The plan of a tuning: parameters, opponents, objective, algorithm, budget and test. The plan is fixed before the
+// first match. The plan and the results of matches determine everything else.
 //
-// Unit of everything is the pair: a match with the tuned team at home, then the same with the sides swapped, against
-// every opponent. Pairs are numbered from 0 in each of four stages, whose seeds are disjoint:
+// The program scores pairs of matches. For each opponent, a pair has a match with the tuned team at home, and the same
+// match with the sides swapped. Pairs are numbered from 0 in each of four stages. The stages have disjoint seeds:
 //   seed = stage * 2^50 + first seed + number of the pair.
-// Those of the verification begin at a number drawn from all that was chosen before, so that another choice is never
-// verified on seeds that an earlier one was seen to do well on.
+// In the verification, drawn_seed() replaces the first seed. drawn_seed() depends on the values that are verified.
 #pragma once
 
 #include <Eigen/Core>
+
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "campaign/input.hpp"
+#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
-#include "campaign/options.hpp"
+#include "campaign/match_inputs.hpp"
 #include "campaign/store.hpp"
-#include "config/load.hpp"
+#include "config/errors.hpp"
+#include "config/node.hpp"
+#include "config/overlay.hpp"
 #include "config/tuning.hpp"
-#include "study/opening.hpp"
-#include "study/tuning/algorithm.hpp"
+#include "plugin/catalogue.hpp"
+#include "study/settings.hpp"
 #include "study/tuning/parameter.hpp"
+#include "study/tuning/search.hpp"
 
 namespace regista::study {
 
@@ -38,76 +40,80 @@ struct ObjectiveTerm {
   friend bool operator==(const ObjectiveTerm&, const ObjectiveTerm&) = default;
 };
 
-// Sum of weighted measures, in the unit of the measure where it is one alone.
+// A weighted sum of measures. A sum of a single measure has the unit of that measure.
 struct TuningObjective {
   std::vector<ObjectiveTerm> terms;  // one or more
   bool minimise = false;
   friend bool operator==(const TuningObjective&, const TuningObjective&) = default;
 };
 
-// Somebody whom the tuned team plays.
+// An opponent of the tuned team.
 struct TuningOpponent {
   std::string label, file;
-  double weight = 1.0;                // all of a plan sum up to 1
-  std::array<campaign::Job, 2> jobs;  // the tuned team at home, away; it as the base team; without seed and opening
+  double weight = 1.0;                // the weights of a plan's opponents sum up to 1
+  std::array<campaign::Job, 2> jobs;  // [0]: base team at home, [1]: away; without seed and opening
 };
 
 struct TuningPlan {
-  config::Tuning asked;  // files as they are seen from `folder`
+  config::Tuning asked;  // relative paths start at `folder`
 
-  std::string document;  // the team's, resolved, with every parameter in it, at its start
+  std::string document;  // resolved document of the base team, with every parameter at its start value
   std::vector<Parameter> parameters;
-  // Of their jobs, and the base team's, the inputs were found, and their labels; all else is asked for: see complete().
+  // JSON keeps only the labels and job inputs of `opponents` and `base`. complete() makes their other members.
   std::vector<TuningOpponent> opponents;
-  TuningOpponent base;             // the base team as it is, as an opponent
-  std::vector<Opening> openings;   // all scenes that are asked for; none: from kick-off
-  int most_goals = 0;              // largest goal difference that a match can end with; a forfeit counts as that much
-  std::uint64_t search_pairs = 0;  // against each opponent, of the whole search, at most
-  std::uint64_t pairs = 1;         // of them for each point, with an algorithm that wants replication
-  std::uint64_t selection_pairs = 0;     // of each finalist against each opponent
-  std::uint64_t verification_pairs = 0;  // at most, of as many candidates as there may be
-  std::string folder;                    // in which it was begun, absolute
+  TuningOpponent base;                   // the base team as an opponent
+  std::vector<Opening> openings;         // all scenes of the document; empty: matches start with kick-off
+  int most_goals = 0;                    // largest goal difference that a match can have, also a forfeit
+  std::uint64_t search_pairs = 0;        // most pairs of the whole search, against each opponent
+  std::uint64_t pairs = 1;               // pairs for each point; see pairs_of_evaluation()
+  std::uint64_t selection_pairs = 0;     // pairs of each finalist against each opponent
+  std::uint64_t verification_pairs = 0;  // most pairs of each candidate if there are candidates() candidates
+  std::string folder;                    // absolute path of the folder in which the tuning began
   std::vector<std::string> plugins;      // folders of --plugins
-  std::string program;                   // version that began it; empty: not known
+  std::string program;                   // version of the program that began the tuning; empty: unknown
 
-  // What follows from what is asked: see complete().
-  std::vector<std::string> settings;  // "path=value" of the team, laid over its file
+  // complete() makes these members from `asked`. JSON does not keep them.
+  std::vector<std::string> settings;  // "path=value" that replace values of the team's file
   TuningObjective objective;
 
   std::uint64_t seed() const { return static_cast<std::uint64_t>(asked.seed); }
+  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
   Algorithm algorithm() const { return algorithm_named(asked.search.algorithm).value(); }
   std::uint64_t population() const { return static_cast<std::uint64_t>(asked.search.population.value_or(0)); }
-  std::uint64_t finalists() const { return static_cast<std::uint64_t>(asked.selection.finalists); }  // at most
+  std::uint64_t finalists() const { return static_cast<std::uint64_t>(asked.selection.finalists); }  // most finalists
   std::uint64_t candidates() const { return static_cast<std::uint64_t>(asked.verification.candidates); }
-  // Candidates and base team are compared playing each other.
+  // Whether candidates play against the base team instead of the opponents.
   bool head_to_head() const { return asked.verification.against == config::Tuning::Against::base; }
-  // Differences are taken to be symmetric, though the objective has bounds.
+  // Whether the test assumes symmetric differences even if the objective has bounds.
   bool symmetric() const { return asked.verification.test == config::Tuning::Test::symmetric; }
   double confidence() const { return asked.verification.confidence; }
-  std::uint64_t slice_points() const { return static_cast<std::uint64_t>(asked.slices.points); }  // 0: none
+  std::uint64_t slice_points() const { return static_cast<std::uint64_t>(asked.slices.points); }  // 0: no slices
   std::uint64_t slice_pairs() const {
     return asked.slices.points == 0 ? 0 : static_cast<std::uint64_t>(asked.slices.pairs);
   }
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 
-  // All of them end before a match would.
+  // Whether an opening or a limit may end matches earlier than whole matches.
   bool short_games() const { return !openings.empty() || asked.settings.limit; }
   std::size_t free_parameters() const;
   std::uint64_t pairs_of_evaluation() const { return asked.search.pairs || wants_replication(algorithm()) ? pairs : 1; }
-  // Points that it can try, with the base team's.
+  // The number of points that the search can try, including the point of the base team.
   std::uint64_t evaluations() const { return search_pairs / pairs_of_evaluation(); }
-  // Matches of one pair against all opponents.
+  // The number of matches of one pair: of one team; of `candidates` candidates (and the base team) in the verification.
   std::uint64_t matches_of_pair() const { return 2 * opponents.size(); }
+  std::uint64_t matches_of_verified_pair(std::uint64_t candidates) const {
+    return head_to_head() ? 2 * candidates : (candidates + 1) * matches_of_pair();
+  }
 };
 
-// Settings and objective, and opponents with their jobs, as they are asked for; what was found of them stays. Throws
-// config::Error for settings that cannot be.
+// Makes settings, objective, opponents and their jobs from `asked`. Keeps the inputs and labels that the plan already
+// has. Throws config::Error for impossible settings.
 void complete(TuningPlan& plan);
 
-// Of matches against the opponents, or against the base team, in which it has all that is set for the tuned team.
+// Settings of matches against opponents or base team. As an opponent, the base team has the tuned team's settings.
 config::Overrides settings_of(const TuningPlan& plan, bool against_base);
 
-// What every search of its points relies on.
+// Whether all numbers of the plan are in the ranges that a search needs.
 bool sound(const TuningPlan& plan);
 
 // Values of all parameters, in the plan's order.
@@ -115,11 +121,11 @@ using ParameterValues = std::vector<double>;
 
 ParameterValues start_values(const TuningPlan& plan);
 
-// The free parameters as a point of the unit cube, and back.
+// point_of(): the free parameters as a point of the unit cube. values_of(): all parameters at a point.
 Eigen::VectorXd point_of(const TuningPlan& plan, const ParameterValues& values);
 ParameterValues values_of(const TuningPlan& plan, const Eigen::VectorXd& point);
 
-// The base team's document with other values in it.
+// The base team's document with new values for the parameters.
 class TunedDocument {
  public:
   // Throws std::invalid_argument for a plan that is damaged.
@@ -131,48 +137,65 @@ class TunedDocument {
     std::size_t begin, length, parameter;
   };
   const TuningPlan& plan_;
-  std::vector<Place> places_;  // from the last to the first, so that those before stay where they are
+  std::vector<Place> places_;  // last place first, so that a replacement does not move the places before it
 };
 
-// "path=value" for each parameter
+// The settings "path=value" of all parameters.
 std::vector<std::string> settings_of(const TuningPlan& plan, const ParameterValues& values);
 
-// From the measures of a pair to one number: larger is better.
+// score_of(): the objective's value, negated if the objective is minimised: larger is better. value_of(): the inverse.
 double score_of(const TuningObjective& objective, double value);
 double value_of(const TuningObjective& objective, double score);
-// "goal_difference", "10 points - 0.5 overlap_seconds"
+// The text of an objective, such as "goal_difference" or "10 points - 0.5 overlap_seconds".
 std::string in_words(const TuningObjective& objective);
 
-// The scores that a pair can have, where its measures have bounds.
+// The least and the greatest score of a pair. score_bounds() returns nullopt if a measure has no bounds.
 struct ScoreBounds {
   double low, high;
 };
 std::optional<ScoreBounds> score_bounds(const TuningPlan& plan);
 
-// The largest difference between candidate and base team that a pair can show, where betting is to test it.
+// The largest possible score difference of candidate and base team in a pair; nullopt if there is no bound.
+std::optional<double> difference_bound(const TuningPlan& plan);
+// The difference_bound() for a test by betting; nullopt also if the plan asks for the test by symmetry.
 std::optional<double> widest_difference(const TuningPlan& plan);
 
-// The largest difference there can be, whatever it is tested by; nothing where there is no bound.
-std::optional<double> difference_bound(const TuningPlan& plan);
-
-// Pairs without which a verification cannot find anything, whatever they show.
+// The fewest pairs with which a verification can find a difference.
 std::uint64_t least_verification_pairs(const TuningPlan& plan);
 
-// At most, of so many candidates: what fewer of them leave over goes to these.
+// The most pairs of each candidate. Candidates share the verification's matches, so fewer candidates play more pairs.
 std::uint64_t verification_pairs_of(const TuningPlan& plan, std::size_t candidates);
 
-// What is looked at of the matches' metrics: by the objective, or for the packets of short games.
+// The metrics to read of each match: what the objective needs, and the packet metrics if short_games() is true.
 campaign::Metrics wanted_metrics(const TuningPlan& plan);
 
-// How many matches each stage can take at most, and all of them.
+// The most matches of one stage, and of all stages.
 std::uint64_t most_matches(const TuningPlan& plan, TuningStage stage);
 std::uint64_t most_matches(const TuningPlan& plan);
 
-// JSON; reading throws std::invalid_argument for what writing did not make.
+// Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.
 std::string to_json(const TuningPlan& plan);
 TuningPlan tuning_plan_from_json(const std::string& text);
 
-// What differs between the plan of a file and the one that is asked for, in words; nothing when they are the same.
+// The differences between the plan of a file and the new plan, in words; empty if the plans are equal.
 std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now);
+
+// Makes the plan of a document. Finds all mistakes before the first match. plugins: folders of the catalogue. Throws
+// config::BadInput, and config::Error at the place of the mistake.
+TuningPlan planned_tuning(const config::Node& document, const std::vector<std::string>& plugins,
+                          const plugin::Catalogue& catalogue);
+
+// Tests whether a document can be planned: lists all mistakes in algorithm, opponents, parameters, openings, objective.
+void check_tuning(const config::Node& document, const std::vector<std::string>& plugins,
+                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+
+// Notes on a plan that is unusual but allowed, one line each: for example that an opponent is the base team itself.
+std::vector<std::string> notes_on(const TuningPlan& plan);
+
+// A tuned team as YAML, with only the lines that differ from the base team. name: the new team's name. base: the base
+// team's file, for the key `extends` of the new file. A document with `extends` cannot change a part of a list, so a
+// list with a tuned value is written whole. Throws config::Error if the base team's settings do not fit its document.
+std::string tuned_team(const TuningPlan& plan, const ParameterValues& values, const std::string& name,
+                       const std::string& base);
 
 }  // namespace regista::study

@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: MIT
-#include "study/tuning/tuning_setup.hpp"
+#include "study/tuning/tuning_plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
-#include "campaign/inputs.hpp"
-#include "campaign/mathematics.hpp"
 #include "config/documents.hpp"
-#include "config/overlay.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/values.hpp"
 #include "match/match.hpp"
-#include "plugin/declarations.hpp"
+#include "plugin/info.hpp"
 #include "study/measure.hpp"
-#include "study/settings.hpp"
-#include "study/study_inputs.hpp"
 #include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
 
-// Of a search whose algorithm takes values for exact; see benchmarks/README.md. A small budget is better spent on fewer
-// points that are known better.
+// Constants for algorithms that treat values as exact (benchmarks/README.md). With a small budget, such algorithms do
+// better with few points and more pairs for each point than with many points.
 constexpr std::uint64_t points_of_a_replicated_search = 200, fewest_replicates = 5;
 
 std::uint64_t replicates(std::uint64_t search_pairs, std::size_t parameters) {
@@ -35,23 +29,10 @@ std::uint64_t replicates(std::uint64_t search_pairs, std::size_t parameters) {
   return std::max({usual, std::min(fewest_replicates, affordable), std::uint64_t{1}});
 }
 
-// Pairs that so many matches make, where each pair takes `each` of them.
-std::uint64_t pairs_in(int matches, std::uint64_t each) { return static_cast<std::uint64_t>(matches) / each; }
-
-std::string label_of(const std::string& file) { return std::filesystem::path(file).stem().string(); }
-
-// What is said of a name that no algorithm has: why it is not offered, or the nearest, and all that are.
-std::string unknown_algorithm(const std::string& name) {
-  const auto why = why_unsuitable(name);
-  const std::vector<std::string> known = algorithm_names();
-  return why ? fmt::format("{}: {}; offered: {}", name, *why, texts::join(known))
-             : texts::unknown("algorithm", name, "", known);
-}
-
-class Planner {
+class TuningPlanner {
  public:
-  Planner(const config::Node& document, const std::vector<std::string>& plugins, const plugin::Catalogue& catalogue,
-          config::Mistakes& mistakes)
+  TuningPlanner(const config::Node& document, const std::vector<std::string>& plugins,
+                const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
       : document_(document),
         catalogue_(catalogue),
         mistakes_(mistakes),
@@ -64,11 +45,11 @@ class Planner {
     complete(plan_);
   }
 
-  // Where there are mistakes, not all of it.
+  // Returns an incomplete plan if there are mistakes.
   TuningPlan planned() {
     mistakes_.attempt("search", [&] { require_algorithm(); });
     meet_opponents();
-    if (mistakes_.doubtful("opponents")) return std::move(plan_);  // what comes next needs them all
+    if (mistakes_.doubtful("opponents")) return std::move(plan_);  // the steps below need all opponents
     mistakes_.attempt("parameters", [&] { choose_parameters(); });
     mistakes_.attempt("openings", [&] {
       DocumentScenes scenes = document_scenes(plan_.asked.settings.openings, setups_);
@@ -89,28 +70,25 @@ class Planner {
     const config::Tuning::Search& search = plan_.asked.search;
     const auto algorithm = algorithm_named(search.algorithm);
     if (!algorithm) {
-      throw config::Error(config::at(document_, "search.algorithm").where(),
-                          "search.algorithm: " + unknown_algorithm(search.algorithm));
+      const auto why = why_unsuitable(search.algorithm);
+      const std::vector<std::string> known = algorithm_names();
+      throw config::Error(
+          config::value_at(document_, "search.algorithm").where(),
+          "search.algorithm: " + (why ? fmt::format("{}: {}; offered: {}", search.algorithm, *why, texts::join(known))
+                                      : texts::unknown("algorithm", search.algorithm, "", known)));
     }
     if (search.population && !has_population(*algorithm)) {
       config::refuse(document_, {"search.population"}, fmt::format("search.population: {} has none", name(*algorithm)));
     }
   }
 
-  // The files of its matches, set up once on each side.
+  // Sets up the matches against an opponent, one on each side.
   void look_at(TuningOpponent& opponent, bool is_base) {
-    const config::Overrides settings = settings_of(plan_, is_base);
-    for (const std::size_t side : {0u, 1u}) {
-      campaign::Job& job = opponent.jobs[side];
-      campaign::MatchSetup prepared = match_of(job, on_side(settings, side), settings, catalogue_);
-      job.home_inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue_);
-      job.away_inputs = campaign::team_inputs(*prepared.plans[1], *prepared.documents[1], catalogue_);
-      job.common_inputs = campaign::common_inputs(prepared.setup, program_, mathematics_);
-      if (side == 1) continue;
-      if (!team_) team_ = *prepared.documents[0];
-      metrics_ = metric_paths_of(*prepared.plans[0]);
-      setups_.push_back(std::move(prepared.setup));
-    }
+    campaign::MatchSetup prepared =
+        find_inputs(opponent.jobs, settings_of(plan_, is_base), catalogue_, program_, mathematics_);
+    if (!team_) team_ = *prepared.documents[0];
+    metrics_ = metric_paths_of(*prepared.plans[0]);
+    setups_.push_back(std::move(prepared.setup));
   }
 
   void meet_opponents() {
@@ -118,7 +96,7 @@ class Planner {
       TuningOpponent& opponent = plan_.opponents[i];
       mistakes_.attempt("opponents", [&] {
         look_at(opponent, false);
-        opponent.label = label_of(opponent.file);
+        opponent.label = std::filesystem::path(opponent.file).stem().string();
         for (std::size_t other = 0; other < i; ++other) {
           if (plan_.opponents[other].file == opponent.file) {
             throw config::Error(
@@ -170,7 +148,7 @@ class Planner {
     }
   }
 
-  // Refuses the number of matches at `path`. Throws.
+  // Throws the config::Error that the number of matches at `path` is below `least`.
   void require_matches(const char* path, std::uint64_t least, const std::string& why) const {
     config::refuse(document_, {path}, fmt::format("{}: {}: expected {} or more matches", path, why, least));
   }
@@ -179,10 +157,10 @@ class Planner {
   void count_search() {
     const std::uint64_t pair = plan_.matches_of_pair();
     const config::Tuning::Search& search = plan_.asked.search;
-    plan_.search_pairs = pairs_in(search.matches, pair);
+    plan_.search_pairs = static_cast<std::uint64_t>(search.matches) / pair;
     plan_.pairs = search.pairs ? static_cast<std::uint64_t>(*search.pairs)
                                : replicates(plan_.search_pairs, plan_.free_parameters());
-    // One more: the base team itself.
+    // One more evaluation is for the base team.
     const std::uint64_t least =
         1 + least_evaluations(plan_.algorithm(), plan_.free_parameters(), static_cast<std::size_t>(plan_.population()));
     if (plan_.evaluations() >= least) return;
@@ -192,16 +170,16 @@ class Planner {
                                 search.matches, name(plan_.algorithm()), least, each));
   }
 
-  // Selection and verification.
+  // Sets the numbers of pairs of selection and verification.
   void count_stages() {
     const std::uint64_t pair = plan_.matches_of_pair();
-    plan_.selection_pairs = pairs_in(plan_.asked.selection.matches, pair * plan_.finalists());
+    plan_.selection_pairs = static_cast<std::uint64_t>(plan_.asked.selection.matches) / (pair * plan_.finalists());
     if (plan_.selection_pairs < 1) {
       require_matches("selection.matches", pair * plan_.finalists(),
                       fmt::format("too few for {} finalists", plan_.finalists()));
     }
-    const std::uint64_t together = plan_.head_to_head() ? 2 * plan_.candidates() : pair * (plan_.candidates() + 1);
-    plan_.verification_pairs = pairs_in(plan_.asked.verification.matches, together);
+    const std::uint64_t together = plan_.matches_of_verified_pair(plan_.candidates());
+    plan_.verification_pairs = static_cast<std::uint64_t>(plan_.asked.verification.matches) / together;
     const std::uint64_t least = least_verification_pairs(plan_);
     if (plan_.verification_pairs < least) {
       require_matches("verification.matches", least * together,
@@ -215,8 +193,8 @@ class Planner {
   config::Mistakes& mistakes_;
   std::string program_, mathematics_;
   TuningPlan plan_;
-  std::optional<config::Node> team_;  // its document
-  std::vector<std::string> metrics_;  // paths
+  std::optional<config::Node> team_;  // document of the base team
+  std::vector<std::string> metrics_;  // paths of the metrics
   std::vector<match::Setup> setups_;  // by opponent, then the base team
 };
 
@@ -225,12 +203,12 @@ class Planner {
 TuningPlan planned_tuning(const config::Node& document, const std::vector<std::string>& plugins,
                           const plugin::Catalogue& catalogue) {
   config::Mistakes first(config::Mistakes::After::stop);
-  return Planner(document, plugins, catalogue, first).planned();
+  return TuningPlanner(document, plugins, catalogue, first).planned();
 }
 
 void check_tuning(const config::Node& document, const std::vector<std::string>& plugins,
                   const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
-  Planner(document, plugins, catalogue, mistakes).planned();
+  TuningPlanner(document, plugins, catalogue, mistakes).planned();
 }
 
 std::vector<std::string> notes_on(const TuningPlan& plan) {

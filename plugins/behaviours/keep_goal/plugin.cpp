@@ -5,8 +5,8 @@
 
 #include "../ball_play.hpp"
 #include "../by_phase.hpp"
-#include "../conduct_parameters.hpp"
 #include "../kick_parameters.hpp"
+#include "../place_parameters.hpp"
 #include "../read_situation.hpp"
 #include "../write_action.hpp"
 #include "algorithm.hpp"
@@ -45,14 +45,14 @@ struct KeepGoal {
           regista::real("shot_reach", &Settings::shot_reach, {0.0, 10.0}, "m",
                         "The keeper leaves its place by so much for the line of a shot; our choice: 1.5")
               .tunable(),
-          regista::real("comes_out", &Settings::comes_out, {0.0, 5.0}, "m",
+          regista::real("narrow_angle", &Settings::narrow_angle, {0.0, 5.0}, "m",
                         "The keeper comes out so far at most to cover the angle between ball and posts; 0: it keeps to "
                         "the place of its task")
               .tunable(),
-          regista::real("comes_out_share", &Settings::share, {0.0, 1.0}, "1",
+          regista::real("narrow_angle_share", &Settings::share, {0.0, 1.0}, "1",
                         "It comes out by this share of the way to the ball; our choice: 0.4")
               .tunable(),
-          regista::real("late", &Settings::late, {-5.0, keep_goal::never_late}, "s",
+          regista::real("leave_lost_ball", &Settings::leave_lost_ball, {-5.0, keep_goal::never_leaves}, "s",
                         "The keeper leaves the ball if an opponent reaches it this much earlier; our choice: 60, never")
               .tunable()),
       regista::within(&KeepGoal::kick, behaviours::kick_parameters),

@@ -74,7 +74,7 @@ TEST(Keeper, StandsAtItsPlaceInTheGoalArea) {
 // The goal is 1.5 m wide and its line at -4.5. From the place, both posts are seen under the same angle as from the
 // ball.
 TEST(Keeper, ComesOutToCoverTheAngle) {
-  const keep_goal::Settings out{.comes_out = 1.2, .share = 0.4};
+  const keep_goal::Settings out{.narrow_angle = 1.2, .share = 0.4};
   const auto place = [&](const Vector2d& ball) {
     return *keep_goal::covering_place(with_ball(keeper(-4.2, 0), ball), out);
   };
@@ -102,13 +102,13 @@ TEST(Keeper, ComesOutToCoverTheAngle) {
 TEST(Keeper, LeavesABallAtWhichAnOpponentIsMuchSooner) {
   const auto late = [](double opponent_away, double weight, double seconds) {
     const std::vector<Blocker> opponents{{{-3 + opponent_away, 0}, weight}};
-    return keep_goal::comes_too_late(with_ball(keeper(-4.2, 0), {-3, 0}), {.late = seconds}, opponents);
+    return keep_goal::comes_too_late(with_ball(keeper(-4.2, 0), {-3, 0}), {.leave_lost_ball = seconds}, opponents);
   };
   EXPECT_TRUE(late(0.9, 1.0, 1.0));   // after 2.8 s
   EXPECT_FALSE(late(1.0, 1.0, 1.0));  // after 3.2 s
   EXPECT_FALSE(late(0.2, 1.0, 60.0));
   EXPECT_FALSE(late(0.2, 0.4, 1.0)) << "hardly believed in";
-  EXPECT_FALSE(keep_goal::comes_too_late(with_ball(keeper(-4.2, 0), {-3, 0}), {.late = 0.0}, {}));
+  EXPECT_FALSE(keep_goal::comes_too_late(with_ball(keeper(-4.2, 0), {-3, 0}), {.leave_lost_ball = 0.0}, {}));
 }
 
 // --- The plugin ------------------------------------------------------------------------------------------------
@@ -172,7 +172,7 @@ TEST(KeepGoalPlugin, ComesOutOrLeavesTheBallAsItIsTold) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "keep_goal");
   const FrameBuilder base = FrameBuilder{}.own(1).robot(1).task("goalkeeper").at(-4.3, 0);
   const BodyBuilder body = BodyBuilder{}.at(-4.3, 0).task(0).sees_ball();
-  Instance out(plugin, EnvironmentBuilder{}.own(1), Values(plugin).set("comes_out", 1).set("late", 0.5));
+  Instance out(plugin, EnvironmentBuilder{}.own(1), Values(plugin).set("narrow_angle", 1).set("leave_lost_ball", 0.5));
   EXPECT_NEAR(out.act(FrameBuilder(base).ball(-2.0, 0).build(), body).pose[0], -3.5, 1e-12);
   const Scene near = FrameBuilder(base).ball(-3.0, 0).opponent(-2.7, 0).build();
   EXPECT_NEAR(out.act(near, body).pose[0], -3.9, 1e-12) << "the opponent is there first: it covers the angle";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Glue of the behaviour `search`, which ../searching.hpp and ../looked_at.hpp are.
+// Glue of the behaviour `search`, which ../supporting.hpp and ../gaze.hpp are.
 #include <algorithm>
 #include <optional>
 #include <vector>
@@ -7,8 +7,7 @@
 #include <regista/behaviour.hpp>
 
 #include "../by_phase.hpp"
-#include "../conduct_parameters.hpp"
-#include "../looked_at.hpp"
+#include "../gaze.hpp"
 #include "../place_parameters.hpp"
 #include "../read_situation.hpp"
 #include "../write_action.hpp"
@@ -28,7 +27,7 @@ struct Search {
   behaviours::LookedAtSettings shared;
   static constexpr std::tuple parameters{
       regista::within(&Search::conduct, behaviours::conduct_parameters),
-      regista::within(&Search::settings, behaviours::search_parameters, behaviours::turns_first_parameter),
+      regista::within(&Search::settings, behaviours::search_parameters, behaviours::search_turn_parameter),
       regista::within(&Search::shared, behaviours::looked_at_parameters)};
 
   behaviours::SituationReader reader{behaviours::Duty::other};
@@ -51,7 +50,8 @@ struct Search {
     if (situation.phase == behaviours::Phase::playing && !situation.incapable) {
       const bool first = begin(situation);
       if (shared.divides) divide(frame, situation, first);
-      if (situation.time - *began < settings.turns_first) situation.has_task = false;  // it turns where it stands
+      if (situation.time - *began < settings.search_turn_seconds)
+        situation.has_task = false;  // it turns where it stands
     }
     const behaviours::Movement movement = behaviours::by_phase(
         situation, conduct.legal, [&] { return behaviours::search(situation, settings, conduct.legal); });

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../searching.hpp"
+#include "../supporting.hpp"
 #include "../test_conduct.hpp"
 #include "../test_situations.hpp"
 
@@ -104,7 +104,7 @@ TEST(SearchPlugin, DividesTheFieldAmongThoseWhoSearch) {
 
 TEST(SearchPlugin, TurnsFirstInEachSearch) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "search");
-  Instance behaviour(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("turns_first", 5));
+  Instance behaviour(plugin, EnvironmentBuilder{}.own(3), Values(plugin).set("search_turn_seconds", 5));
   const auto motion = [&](double time) {
     const Scene scene = FrameBuilder{}.own(3).time(time).robot(3).no_ball().task("search_1").at(1, 1).build();
     return behaviour.act(scene, BodyBuilder{}.at(-1, 0).task(0)).motion;

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "../looked_at.hpp"
+#include "../gaze.hpp"
 #include "../test_situations.hpp"
 
 namespace {

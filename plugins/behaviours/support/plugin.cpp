@@ -4,7 +4,6 @@
 
 #include "../ball_play.hpp"
 #include "../by_phase.hpp"
-#include "../conduct_parameters.hpp"
 #include "../kick_parameters.hpp"
 #include "../place_parameters.hpp"
 #include "../read_situation.hpp"

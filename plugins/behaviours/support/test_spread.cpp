@@ -6,7 +6,7 @@
 
 #include <regista/testkit/dice.hpp>
 
-#include "../spread.hpp"
+#include "../lane.hpp"
 #include "../test_situations.hpp"
 
 namespace {

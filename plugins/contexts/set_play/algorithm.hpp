@@ -29,7 +29,7 @@ struct Rule {
   Whose whose = Whose::either;
   Pattern pattern = Pattern::any;
   double at_most = std::numeric_limits<double>::infinity();  // s from its beginning, or that of its phase
-  double still_for = 0.0;                                    // s after it has ended
+  double hold_seconds = 0.0;                                 // s after it has ended
 };
 
 struct Game {
@@ -54,7 +54,7 @@ class Memory {
   // time: s, never runs back. Returns whether the context holds. Call once per decision.
   bool update(const Rule& rule, double time, const Game& game) {
     const bool over = game.kind == none && game.phase == playing;
-    if (over) return time - last_ <= rule.still_for;
+    if (over) return time - last_ <= rule.hold_seconds;
     const bool meant =
         game.kind != none && (rule.kinds & one(game.kind)) != 0 && (rule.phases & one(game.phase)) != 0 &&
         (rule.whose == Whose::either || (rule.whose == Whose::own) == game.own) &&

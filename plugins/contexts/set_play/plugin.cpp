@@ -44,7 +44,7 @@ struct SetPlay {
               "Holds no longer than this after the set play, or its phase, began; rule book: a kick-in lasts 30; "
               "our choice: 600, until it ends")
               .tunable(),
-          regista::real("still_for", &set_play::Rule::still_for, {0.0, 60.0}, "s",
+          regista::real("hold_seconds", &set_play::Rule::hold_seconds, {0.0, 60.0}, "s",
                         "Holds so long after the ball came free, unless another set play begins; our choice: 0")
               .tunable())};
 

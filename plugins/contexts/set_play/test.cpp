@@ -57,13 +57,13 @@ TEST(SetPlay, EndsEarlyOrLate) {
   EXPECT_EQ(ticks_held({}), 30);
   EXPECT_EQ(ticks_held({.at_most = 1.05}), 11);
   EXPECT_EQ(ticks_held({.at_most = 0.0}), 1);
-  EXPECT_EQ(ticks_held({.still_for = 2.05}), 50);  // counted from the decision at 3.9 s, the last in the set play
+  EXPECT_EQ(ticks_held({.hold_seconds = 2.05}), 50);  // counted from the decision at 3.9 s, the last in the set play
   // What ended early does not come back when the set play is over.
-  EXPECT_EQ(ticks_held({.at_most = 1.05, .still_for = 20.0}), 11);
+  EXPECT_EQ(ticks_held({.at_most = 1.05, .hold_seconds = 20.0}), 11);
 }
 
 TEST(SetPlay, AnotherSetPlayEndsWhatIsLeftOfTheFirst) {
-  const Rule rule{.kinds = one(corner), .still_for = 10.0};
+  const Rule rule{.kinds = one(corner), .hold_seconds = 10.0};
   Memory memory;
   ASSERT_TRUE(memory.update(rule, 0.0, {corner, REGISTA_PHASE_PLAYING, true, 0.0}));
   ASSERT_TRUE(memory.update(rule, 1.0, {}));
@@ -108,7 +108,7 @@ TEST(SetPlay, TheKickOffsPatternFollowsFromGoalsAndHalf) {
 }
 
 TEST(SetPlay, ForgetStartsAfresh) {
-  const Rule rule{.still_for = 10.0};
+  const Rule rule{.hold_seconds = 10.0};
   Memory memory;
   ASSERT_TRUE(memory.update(rule, 0.0, {corner, REGISTA_PHASE_PLAYING, true, 0.0}));
   memory.forget();

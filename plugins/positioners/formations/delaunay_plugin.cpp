@@ -26,8 +26,9 @@ struct DelaunayFormation {
   formations::Beyond beyond = formations::Beyond::nearest_point;
   static constexpr std::array beyond_names{"nearest_point", "nearest_sample"};
   static constexpr std::tuple parameters{
-      regista::file("file", &DelaunayFormation::file,
-                    "Formation file in the JSON form of librcsc, such as HELIOS base publishes; it is needed"),
+      regista::file(
+          "file", &DelaunayFormation::file,
+          "Formation file of librcsc, in JSON as HELIOS base publishes it, or in its older text forms; it is needed"),
       regista::text(
           "roles", &DelaunayFormation::roles,
           "Entries \"role: number\" separated by commas or lines, roles not named keep their own rule; empty: "

@@ -33,6 +33,9 @@ std::vector<RoleEntry> role_entries(std::string_view text, std::span<const Role>
 // numbers.
 void read_numbers(std::string_view text, std::span<double> out, const std::string& where);
 
+// Of what may be anything: short, on one line, printable.
+std::string quoted(std::string_view text);
+
 // The name that takes the fewest insertions, deletions and exchanges of letters; the first of equals. "" of none.
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 

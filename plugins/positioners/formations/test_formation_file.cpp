@@ -44,16 +44,16 @@ TEST(FormationFile, Sound) {
 }
 
 TEST(FormationFile, Refused) {
-  EXPECT_EQ(refusal(""), "formation: nothing is in it; wanted is a formation file of librcsc (JSON)");
-  EXPECT_EQ(refusal(" \n"), "formation: nothing is in it; wanted is a formation file of librcsc (JSON)");
-  EXPECT_EQ(refusal("{\n \"method\": ?}"),
-            "formation: line 2, column 12: no JSON; wanted is a formation file of librcsc in its JSON form");
-  EXPECT_EQ(refusal("Formation DelaunayTriangulation 2\n"),
-            "formation: line 1, column 1: no JSON; wanted is a formation file of librcsc in its JSON form");
+  EXPECT_EQ(refusal(""), "formation: nothing is in it; wanted is a formation file of librcsc");
+  EXPECT_EQ(refusal(" \n"), "formation: nothing is in it; wanted is a formation file of librcsc");
+  EXPECT_EQ(
+      refusal("{\n \"method\": ?}"),
+      "formation: line 2, column 12: no JSON; wanted is a formation file of librcsc, in JSON or as text that begins "
+      "with \"Formation\"");
   EXPECT_EQ(refusal("[[1, 2]]"), "formation: the file is no object");
   EXPECT_EQ(refusal("{\"vectors\": []}"), "formation: the file has no \"method\"");
   EXPECT_EQ(refusal(file("Delaunay", sample(0, 0))),
-            "formation: its \"method\" is not read; the nearest that is: \"Static\"");
+            "formation: line 1, column 12: its method is \"Delaunay\"; read are DelaunayTriangulation and Static");
   EXPECT_EQ(refusal("{\"method\": \"Static\"}"), "formation: the file has no \"data\"");
   EXPECT_EQ(refusal(file("Static", "")), "formation: \"data\" holds no samples");
   EXPECT_EQ(refusal(file("Static", sample(0, 0) + "," + sample(1, 0))), "formation: is static but has 2 samples");

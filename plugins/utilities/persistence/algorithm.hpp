@@ -24,9 +24,9 @@ struct Holder {
 };
 
 struct Settings {
-  double full_after = 10.0;  // s, >= 0; 0: at once
-  double fade = 1.0;         // factor for each whole second for which the role has been held, [0, 1]; 1: never
-  bool step = false;         // nothing before full_after
+  double ramp_seconds = 10.0;  // s, >= 0; 0: at once
+  double fade = 1.0;           // factor for each whole second for which the role has been held, [0, 1]; 1: never
+  bool step = false;           // nothing before ramp_seconds
 };
 
 // factor^count by repeated squaring: the same bits on every processor, which pow of the C library does not promise.
@@ -40,7 +40,7 @@ inline double power(double factor, std::uint32_t count) {
 
 // In [0, 1].
 inline double value(double held, const Settings& settings) {
-  double grown = settings.full_after > 0.0 ? std::clamp(held / settings.full_after, 0.0, 1.0) : 1.0;
+  double grown = settings.ramp_seconds > 0.0 ? std::clamp(held / settings.ramp_seconds, 0.0, 1.0) : 1.0;
   if (settings.step && grown < 1.0) grown = 0.0;
   if (settings.fade == 1.0) return grown;
   constexpr double longest = 1e6;  // s; by then whatever fades has faded
@@ -52,7 +52,7 @@ inline double value(double held, const Settings& settings) {
 // is no task now, or no_role, leaves its row as it is.
 inline void score(std::span<const Holder> rows, std::span<const int> task_ids, const Settings& settings, double* out,
                   std::size_t stride) {
-  assert(settings.full_after >= 0.0 && settings.fade >= 0.0 && settings.fade <= 1.0);
+  assert(settings.ramp_seconds >= 0.0 && settings.fade >= 0.0 && settings.fade <= 1.0);
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (rows[i].role == no_role) continue;
     const auto column = std::find(task_ids.begin(), task_ids.end(), rows[i].role);

@@ -11,18 +11,18 @@
 
 namespace {
 
-enum class Rows { all, own };
+enum class ForRobots { all, own };
 
 struct Persistence {
   static constexpr auto id = "persistence", version = "1.2.0", summary = "How long the robot has held the role";
   static constexpr unsigned reads = REGISTA_READS_PREVIOUS;
   persistence_utility::Settings settings;
-  Rows rows = Rows::all;
-  static constexpr std::array<const char*, 2> row_choices{"all", "own"};
+  ForRobots for_robots = ForRobots::all;
+  static constexpr std::array<const char*, 2> for_robots_choices{"all", "own"};
   static constexpr std::tuple parameters{
       regista::within(
           &Persistence::settings,
-          regista::real("full_after", &persistence_utility::Settings::full_after, {0.0, 120.0}, "s",
+          regista::real("ramp_seconds", &persistence_utility::Settings::ramp_seconds, {0.0, 120.0}, "s",
                         "Time from which on a held role counts fully, 0: at once; SPQR 2022: 10, 2023: 0")
               .tunable(),
           regista::real(
@@ -31,8 +31,8 @@ struct Persistence {
               "2023: 0.9")
               .tunable(),
           regista::boolean("step", &persistence_utility::Settings::step,
-                           "A role counts nothing before `full_after`; SPQR 2022, whose whole numbers make it so")),
-      regista::choice("rows", &Persistence::rows, row_choices,
+                           "A role counts nothing before `ramp_seconds`; SPQR 2022, whose whole numbers make it so")),
+      regista::choice("for_robots", &Persistence::for_robots, for_robots_choices,
                       "all: every robot's role counts; own: only the own one, as in SPQR's released code")};
 
   std::vector<persistence_utility::Holder> holders;
@@ -51,7 +51,7 @@ struct Persistence {
       const bool own = number == frame.own_number();
       const regista::Robot& robot = world.robot(number);
       persistence_utility::Holder holder;
-      if (own || rows == Rows::all) {
+      if (own || for_robots == ForRobots::all) {
         holder.role = own && is_private ? frame.previous_task(number) : robot.role;
         holder.held = holder.role == robot.role ? frame.time() - robot.role_since : 0.0;
       }

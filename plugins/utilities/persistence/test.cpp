@@ -66,8 +66,8 @@ TEST(Persistence, GrowsAndFadesAtOnce) {
 // Without fading it is what it was before it could fade, to the last bit.
 TEST(Persistence, WithoutFadingItIsTheRampAlone) {
   for (double held = -1.0; held < 200.0; held += 0.0371) {
-    for (const double full_after : {0.1, 10.0, 120.0}) {
-      EXPECT_EQ(persistence_utility::value(held, {full_after}), std::clamp(held / full_after, 0.0, 1.0));
+    for (const double ramp_seconds : {0.1, 10.0, 120.0}) {
+      EXPECT_EQ(persistence_utility::value(held, {ramp_seconds}), std::clamp(held / ramp_seconds, 0.0, 1.0));
     }
   }
 }
@@ -108,7 +108,7 @@ Scene roles(int knowledge) {
 
 std::vector<double> entries(const char* rows, int knowledge) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "persistence");
-  Instance utility(plugin, EnvironmentBuilder{}.own(2), Values(plugin).set("rows", rows));
+  Instance utility(plugin, EnvironmentBuilder{}.own(2), Values(plugin).set("for_robots", rows));
   const Matrix out = utility.score(roles(knowledge));
   return {out(0, 0), out(0, 1), out(1, 0), out(1, 1)};
 }
@@ -123,7 +123,7 @@ TEST(PersistencePlugin, OwnRowOrAllAndPrivateOrCommon) {
 TEST(PersistencePlugin, TheUtilityOf2023) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "persistence");
   Instance utility(plugin, EnvironmentBuilder{}.own(2),
-                   Values(plugin).set("rows", "own").set("full_after", 0.0).set("fade", 0.9));
+                   Values(plugin).set("for_robots", "own").set("ramp_seconds", 0.0).set("fade", 0.9));
   const Matrix out = utility.score(roles(REGISTA_MINE));
   EXPECT_NEAR(out(0, 0), 0.9 * 0.9 * 0.9 * 0.9, 1e-15);
   EXPECT_EQ(out(0, 1), 0.0);
@@ -132,11 +132,11 @@ TEST(PersistencePlugin, TheUtilityOf2023) {
 
 TEST(PersistencePlugin, TheUtilityOf2022) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "persistence");
-  for (const double full_after : {5.0, 4.0}) {  // the roles are 4 and 5 s old
+  for (const double ramp_seconds : {5.0, 4.0}) {  // the roles are 4 and 5 s old
     Instance utility(plugin, EnvironmentBuilder{}.own(2),
-                     Values(plugin).set("full_after", full_after).set("step", true));
+                     Values(plugin).set("ramp_seconds", ramp_seconds).set("step", true));
     const Matrix out = utility.score(roles(REGISTA_MINE));
-    EXPECT_EQ(out(0, 0), full_after == 4.0 ? 1.0 : 0.0);
+    EXPECT_EQ(out(0, 0), ramp_seconds == 4.0 ? 1.0 : 0.0);
     EXPECT_EQ(out(1, 1), 1.0);
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Matrices of utilities that are hard on an assigner, and what its answers must be like.
-#include <regista/testkit/check_assigner.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <regista/assigner.hpp>
 #include <regista/testkit/dice.hpp>
@@ -86,19 +86,19 @@ void check_assignment(const Matrix& u, const std::vector<std::int32_t>& columns,
 
 }  // namespace
 
-std::vector<Course> assigner_courses(const Options& options) {
-  std::vector<Course> out;
+std::vector<Scenario> assigner_scenarios(const Options& options) {
+  std::vector<Scenario> out;
   for (const int size : team_sizes) {
-    const std::vector<Scene> course = scenes(size, options.seed);
-    Course r;
+    const std::vector<Scene> scenario = scenes(size, options.seed);
+    Scenario r;
     r.environment = EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(own_number(size));
-    r.steps = course.size() * utility_variants;
-    r.name = [course](std::size_t i) {
-      return course[i / utility_variants].name() + ", utilities " + std::to_string(i % utility_variants);
+    r.steps = scenario.size() * utility_variants;
+    r.name = [scenario](std::size_t i) {
+      return scenario[i / utility_variants].name() + ", utilities " + std::to_string(i % utility_variants);
     };
-    r.play = [course, options](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
-                               Trail& trail) {
-      const Scene scene = course[i / utility_variants].shown(showing);
+    r.play = [scenario, options](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
+                                 Trail& trail) {
+      const Scene scene = scenario[i / utility_variants].shown(showing);
       const Matrix u = utilities_for(scene, i % utility_variants, options.seed, showing.layout);
       const std::vector<std::int32_t> columns = instance.assign(scene, u);
       trail.add_all(columns);

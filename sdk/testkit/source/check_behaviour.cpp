@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bodies in every state, in every state of the game, and what an action must be like.
-#include <regista/testkit/check_behaviour.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include <regista/behaviour.hpp>
-#include <regista/testkit/course_of_scenes.hpp>
+#include <regista/testkit/scenario.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -132,7 +132,7 @@ struct ScenesWithBodies {
 };
 
 // Every scene with and without a task and, by turns, every body; then every state of the game.
-ScenesWithBodies course_for(int team_size, std::uint64_t seed) {
+ScenesWithBodies scenario_for(int team_size, std::uint64_t seed) {
   ScenesWithBodies out;
   const std::vector<Scene> usual = scenes(team_size, seed);
   std::size_t turn = 0;
@@ -159,34 +159,34 @@ ScenesWithBodies course_for(int team_size, std::uint64_t seed) {
   return out;
 }
 
-Course course_with(int team_size, std::uint64_t seed, const EnvironmentBuilder& environment) {
-  ScenesWithBodies course = course_for(team_size, seed);
+Scenario scenario_with(int team_size, std::uint64_t seed, const EnvironmentBuilder& environment) {
+  ScenesWithBodies scenario = scenario_for(team_size, seed);
   std::vector<regista_kick> kicks;
   const Setting setting = environment.build();
   for (const Kick& kick : setting.environment().kicks()) kicks.push_back(kick);
   // `setting` is kept for the kicks' names.
-  const auto play = [bodies = std::move(course.bodies), kicks, setting](
+  const auto play = [bodies = std::move(scenario.bodies), kicks, setting](
                         Instance& instance, const Scene& scene, std::size_t i, Findings& findings, Trail& trail) {
     const regista_action action = instance.act(scene, bodies[i]);
     trail.add_all(std::vector<regista_action>{action});
     check_action(action, kicks, findings);
   };
-  Course out = course_of_scenes(team_size, "act", course.scenes, play);
+  Scenario out = scenario_of_scenes(team_size, "act", scenario.scenes, play);
   out.environment = environment;
   return out;
 }
 
 }  // namespace
 
-std::vector<Course> behaviour_courses(const Options& options) {
-  std::vector<Course> out;
+std::vector<Scenario> behaviour_scenarios(const Options& options) {
+  std::vector<Scenario> out;
   const auto robot_of = [](int size) {
     return EnvironmentBuilder{}.team_size(static_cast<unsigned>(size)).own(own_number(size));
   };
-  for (const int size : team_sizes) out.push_back(course_with(size, options.seed, robot_of(size)));
+  for (const int size : team_sizes) out.push_back(scenario_with(size, options.seed, robot_of(size)));
   constexpr int few = team_sizes[0];
-  out.push_back(course_with(few, options.seed, robot_of(few).no_kicks()));
-  out.push_back(course_with(few, options.seed, robot_of(few).no_kicks().kick("weak", 0.05, 0.1, 0.5, 0.25)));
+  out.push_back(scenario_with(few, options.seed, robot_of(few).no_kicks()));
+  out.push_back(scenario_with(few, options.seed, robot_of(few).no_kicks().kick("weak", 0.05, 0.1, 0.5, 0.25)));
   return out;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Name by name, parameter by parameter, table by table.
-#include <regista/testkit/check_descriptor.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -9,7 +9,6 @@
 #include <string_view>
 
 #include <regista/extensions/metric.h>
-#include <regista/testkit/check_rehearsal.hpp>
 
 namespace regista::testkit {
 

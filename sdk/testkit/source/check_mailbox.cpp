@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Two hundred messages by chance, and what becomes of an own one.
-#include <regista/testkit/check_mailbox.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <string>
 #include <vector>
@@ -50,9 +50,9 @@ void hear_and_see_off(Instance& instance, const Options& options, Findings& f) {
 }  // namespace
 
 Findings check_mailbox(const Loaded& plugin, const Options& options, std::uint32_t subject) {
-  Course course;
-  course.environment = environment_for(subject);
-  return detail::everywhere(plugin, options, {course}, [&](const Corner& corner, const Course& r, Findings& f) {
+  Scenario scenario;
+  scenario.environment = environment_for(subject);
+  return detail::everywhere(plugin, options, {scenario}, [&](const Corner& corner, const Scenario& r, Findings& f) {
     Instance instance(plugin, r.environment, corner.values);
     hear_and_see_off(instance, options, f);
   });

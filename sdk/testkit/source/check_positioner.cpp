@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Points, edges and cells: on the field, sound among each other, within the room there is.
-#include <regista/testkit/check_positioner.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <regista/testkit/course_of_scenes.hpp>
+#include <regista/testkit/scenario.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -70,12 +70,12 @@ void check_cells(const Placed& placed, const Lawn& lawn, const Scene& scene, Fin
 
 }  // namespace
 
-std::vector<Course> positioner_courses(const Options& options) {
-  std::vector<Course> out;
+std::vector<Scenario> positioner_scenarios(const Options& options) {
+  std::vector<Scenario> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course;
+    std::vector<Scene> scenario;
     for (const Scene& scene : scenes(size, options.seed)) {
-      course.push_back(scene.before_placing());
+      scenario.push_back(scene.before_placing());
     }
     EnvironmentBuilder environment;
     const regista_environment& e = environment.team_size(static_cast<unsigned>(size)).own(own_number(size)).raw();
@@ -90,32 +90,32 @@ std::vector<Course> positioner_courses(const Options& options) {
       check_edges(placed, findings);
       check_cells(placed, lawn, scene, findings);
     };
-    out.push_back(course_of_scenes(size, "place", course, play));
+    out.push_back(scenario_of_scenes(size, "place", scenario, play));
   }
   return out;
 }
 
 Findings check_small_capacity(const Loaded& plugin, const Options& options) {
-  return detail::everywhere(plugin, options, positioner_courses(options),
-                            [&](const Corner& corner, const Course& course, Findings& findings) {
-                              Instance instance(plugin, course.environment, corner.values);
-                              const int size = static_cast<int>(EnvironmentBuilder(course.environment).raw().team_size);
-                              for (const Scene& scene : scenes(size, options.seed)) {
-                                findings.where(corner.name, scene.name());
-                                for (const std::uint32_t room : {0u, 1u, 3u}) {
-                                  try {
-                                    (void)instance.place(scene.before_placing(), {room, room, room, room, room});
-                                  } catch (const CallFailed& failure) {
-                                    const std::string text = failure.what();
-                                    if (text.find("past the") != std::string::npos ||
-                                        text.find("says ") != std::string::npos ||
-                                        text.find("across the boundary") != std::string::npos) {
-                                      findings.say(text);
-                                    }
-                                  }
-                                }
-                              }
-                            });
+  return detail::everywhere(
+      plugin, options, positioner_scenarios(options),
+      [&](const Corner& corner, const Scenario& scenario, Findings& findings) {
+        Instance instance(plugin, scenario.environment, corner.values);
+        const int size = static_cast<int>(EnvironmentBuilder(scenario.environment).raw().team_size);
+        for (const Scene& scene : scenes(size, options.seed)) {
+          findings.where(corner.name, scene.name());
+          for (const std::uint32_t room : {0u, 1u, 3u}) {
+            try {
+              (void)instance.place(scene.before_placing(), {room, room, room, room, room});
+            } catch (const CallFailed& failure) {
+              const std::string text = failure.what();
+              if (text.find("past the") != std::string::npos || text.find("says ") != std::string::npos ||
+                  text.find("across the boundary") != std::string::npos) {
+                findings.say(text);
+              }
+            }
+          }
+        }
+      });
 }
 
 }  // namespace regista::testkit

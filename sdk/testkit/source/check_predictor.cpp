@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A predictor lives through measurement courses; what it holds is looked at after every call.
-#include <regista/testkit/check_predictor.hpp>
+// A predictor lives through measurement scenarios; what it holds is looked at after every call.
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include <regista/testkit/measurement_course.hpp>
+#include <regista/testkit/measurement_scenario.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -114,25 +114,25 @@ bool detail::tells_track_at(const Loaded& plugin) {
   return table != nullptr && table->track_at != nullptr;
 }
 
-std::vector<Course> predictor_courses(const Loaded& plugin, const Options& options) {
-  std::vector<Course> out;
+std::vector<Scenario> predictor_scenarios(const Loaded& plugin, const Options& options) {
+  std::vector<Scenario> out;
   const Scene frame = scenes(predictor_team, options.seed).front();
   for (const std::uint32_t subject : {1u, 2u, 4u, 8u}) {
     if ((detail::subjects_of(plugin) & subject) == 0) continue;
     for (const bool observer : {true, false}) {
       if (observer ? subject == REGISTA_SUBJECT_TEAMMATES : subject == REGISTA_SUBJECT_SELF) continue;
-      const std::vector<Tick> course = measurement_course(subject, observer, subject + (options.seed << 8));
-      Course r;
+      const std::vector<Tick> scenario = measurement_scenario(subject, observer, subject + (options.seed << 8));
+      Scenario r;
       r.environment = predictor_environment(subject);
-      r.steps = course.size();
+      r.steps = scenario.size();
       r.name = [subject, observer](std::size_t i) {
         return std::string(subject_name(subject)) + (observer ? ", own model" : ", by packets") + ", tick " +
                std::to_string(i);
       };
-      r.play = [course, frame, subject](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
-                                        Trail& trail) {
+      r.play = [scenario, frame, subject](Instance& instance, std::size_t i, const Showing& showing, Findings& findings,
+                                          Trail& trail) {
         const Scene last = frame.shown(showing);
-        play_tick(instance, course[i], i == 0 ? nullptr : &last.raw(), subject, findings, trail);
+        play_tick(instance, scenario[i], i == 0 ? nullptr : &last.raw(), subject, findings, trail);
         if (!last.unchanged()) findings.say("predict: wrote to its input");
       };
       out.push_back(std::move(r));
@@ -144,51 +144,53 @@ std::vector<Course> predictor_courses(const Loaded& plugin, const Options& optio
 Findings check_uncertainty_grows(const Loaded& plugin, const Options& options) {
   Findings findings;
   if ((detail::subjects_of(plugin) & REGISTA_SUBJECT_SELF) == 0) return findings;
-  Course course;
-  course.environment = predictor_environment(REGISTA_SUBJECT_SELF);
-  return detail::everywhere(plugin, options, {course}, [&plugin](const Corner& corner, const Course& r, Findings& f) {
-    for (const double ahead : {0.0, 0.025}) {
-      Instance instance(plugin, r.environment, corner.values);
-      regista_measurement placed{};
-      placed.kind = REGISTA_MEASURED_POSE;
-      placed.position[0] = -2.0;
-      placed.heading = 0.4;
-      for (const std::size_t i : {0u, 2u, 5u}) placed.covariance[i] = 0.01;
-      const regista_visible_area area{-2.0, 0.0, 0.4, 0.48, 5.0, 4.0};
-      instance.correct(std::vector{placed}, area);
-      const regista_motion motion{ahead, 0.0, 0.0};
-      f.where(corner.name, ahead == 0.0 ? "standing" : "walking straight ahead");
-      regista_track before = only_track(instance);
-      for (int tick = 0; tick < 100; ++tick) {
-        instance.predict(0.1, &motion);
-        const regista_track after = only_track(instance);
-        const double position_before = before.covariance[0] + before.covariance[2];
-        const double position_after = after.covariance[0] + after.covariance[2];
-        if (position_after < position_before * (1.0 - 1e-9)) f.say("predict: the own position became surer by itself");
-        if (after.pose.heading_variance < before.pose.heading_variance * (1.0 - 1e-9)) {
-          f.say("predict: the own heading became surer by itself");
-        }
-        before = after;
-      }
-    }
-  });
+  Scenario scenario;
+  scenario.environment = predictor_environment(REGISTA_SUBJECT_SELF);
+  return detail::everywhere(plugin, options, {scenario},
+                            [&plugin](const Corner& corner, const Scenario& r, Findings& f) {
+                              for (const double ahead : {0.0, 0.025}) {
+                                Instance instance(plugin, r.environment, corner.values);
+                                regista_measurement placed{};
+                                placed.kind = REGISTA_MEASURED_POSE;
+                                placed.position[0] = -2.0;
+                                placed.heading = 0.4;
+                                for (const std::size_t i : {0u, 2u, 5u}) placed.covariance[i] = 0.01;
+                                const regista_visible_area area{-2.0, 0.0, 0.4, 0.48, 5.0, 4.0};
+                                instance.correct(std::vector{placed}, area);
+                                const regista_motion motion{ahead, 0.0, 0.0};
+                                f.where(corner.name, ahead == 0.0 ? "standing" : "walking straight ahead");
+                                regista_track before = only_track(instance);
+                                for (int tick = 0; tick < 100; ++tick) {
+                                  instance.predict(0.1, &motion);
+                                  const regista_track after = only_track(instance);
+                                  const double position_before = before.covariance[0] + before.covariance[2];
+                                  const double position_after = after.covariance[0] + after.covariance[2];
+                                  if (position_after < position_before * (1.0 - 1e-9))
+                                    f.say("predict: the own position became surer by itself");
+                                  if (after.pose.heading_variance < before.pose.heading_variance * (1.0 - 1e-9)) {
+                                    f.say("predict: the own heading became surer by itself");
+                                  }
+                                  before = after;
+                                }
+                              }
+                            });
 }
 
 Findings check_track_at(const Loaded& plugin, const Options& options) {
-  Course teammates;
+  Scenario teammates;
   teammates.environment = predictor_environment(REGISTA_SUBJECT_TEAMMATES);
-  const std::vector<Tick> course = measurement_course(REGISTA_SUBJECT_TEAMMATES, false, REGISTA_SUBJECT_TEAMMATES);
-  return detail::everywhere(plugin, options, {teammates}, [&](const Corner& corner, const Course& r, Findings& f) {
+  const std::vector<Tick> scenario = measurement_scenario(REGISTA_SUBJECT_TEAMMATES, false, REGISTA_SUBJECT_TEAMMATES);
+  return detail::everywhere(plugin, options, {teammates}, [&](const Corner& corner, const Scenario& r, Findings& f) {
     Instance asked(plugin, r.environment, corner.values), model(plugin, r.environment, corner.values);
-    for (std::size_t i = 0; i < course.size(); ++i) {
-      if (!course[i].absorbs) continue;
-      for (const regista_track& told : *course[i].absorbs) {
+    for (std::size_t i = 0; i < scenario.size(); ++i) {
+      if (!scenario[i].absorbs) continue;
+      for (const regista_track& told : *scenario[i].absorbs) {
         for (const double age : {0.0, 0.1, 1.7, 30.0}) {
           f.where(corner.name, "packet of tick " + std::to_string(i) + ", " + std::to_string(age) + " s later");
           compare_track_at(asked, model, told, age, f);
         }
       }
-      asked.absorb(*course[i].absorbs, course[i].packet_age);
+      asked.absorb(*scenario[i].absorbs, scenario[i].packet_age);
     }
   });
 }

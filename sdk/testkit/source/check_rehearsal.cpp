@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A team that does not settle is a finding; how fast the others are is a remark.
-#include <regista/testkit/check_rehearsal.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Events, offers and budgets by chance, and what a decision about them must be like.
-#include <regista/testkit/check_sender.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
-#include <regista/testkit/course_of_scenes.hpp>
 #include <regista/testkit/dice.hpp>
+#include <regista/testkit/scenario.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -65,19 +65,19 @@ void check_sent(const Sent& sent, const Query& query, std::uint32_t own_reasons,
 
 }  // namespace
 
-std::vector<Course> sender_courses(const Options& options) {
+std::vector<Scenario> sender_scenarios(const Options& options) {
   constexpr std::size_t rounds = 4;
-  std::vector<Course> out;
+  std::vector<Scenario> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course;
+    std::vector<Scene> scenario;
     for (const Scene& scene : scenes(size, options.seed)) {
       const std::int32_t phase = scene.data().mine.game.phase;
       if (phase == REGISTA_PHASE_INITIAL || phase == REGISTA_PHASE_FINISHED) continue;  // never called then
       for (std::size_t round = 0; round < rounds; ++round) {
         SceneData data = scene.data();
-        data.tick = course.size();
+        data.tick = scenario.size();
         data.time = 0.1 * static_cast<double>(data.tick);
-        course.emplace_back(std::move(data));
+        scenario.emplace_back(std::move(data));
       }
     }
     const auto play = [seed = options.seed](Instance& instance, const Scene& scene, std::size_t i, Findings& findings,
@@ -89,7 +89,7 @@ std::vector<Course> sender_courses(const Options& options) {
       trail.add_all(sent.granted);
       check_sent(sent, q, instance.reason_count(), findings);
     };
-    out.push_back(course_of_scenes(size, "decide", course, play));
+    out.push_back(scenario_of_scenes(size, "decide", scenario, play));
   }
   return out;
 }

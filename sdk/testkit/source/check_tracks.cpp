@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One track by itself, and the tracks of a model among each other.
-#include <regista/testkit/check_tracks.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cmath>

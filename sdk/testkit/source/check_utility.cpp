@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Scores are finite and not negative; opponents have no order.
-#include <regista/testkit/check_utility.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include <regista/testkit/course_of_scenes.hpp>
+#include <regista/testkit/scenario.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace regista::testkit {
@@ -32,27 +32,28 @@ Scene opponents_reversed(const Scene& scene) {
 
 }  // namespace
 
-std::vector<Course> utility_courses(const Options& options) {
-  std::vector<Course> out;
+std::vector<Scenario> utility_scenarios(const Options& options) {
+  std::vector<Scenario> out;
   for (const int size : team_sizes) {
-    std::vector<Scene> course;
+    std::vector<Scene> scenario;
     for (const Scene& scene : scenes(size, options.seed)) {
       if (scene.rows() == 0 || scene.columns() == 0) continue;  // never called then
-      course.push_back(scene);
+      scenario.push_back(scene);
     }
     const auto play = [](Instance& instance, const Scene& scene, std::size_t, Findings& findings, Trail& trail) {
       check_scores(instance.score(scene), findings, trail);
     };
-    out.push_back(course_of_scenes(size, "score", course, play));
+    out.push_back(scenario_of_scenes(size, "score", scenario, play));
   }
   return out;
 }
 
 Findings check_order_of_opponents(const Loaded& plugin, const Options& options) {
   return detail::everywhere(
-      plugin, options, utility_courses(options), [&](const Corner& corner, const Course& course, Findings& findings) {
-        Instance one(plugin, course.environment, corner.values), other(plugin, course.environment, corner.values);
-        const int size = static_cast<int>(EnvironmentBuilder(course.environment).raw().team_size);
+      plugin, options, utility_scenarios(options),
+      [&](const Corner& corner, const Scenario& scenario, Findings& findings) {
+        Instance one(plugin, scenario.environment, corner.values), other(plugin, scenario.environment, corner.values);
+        const int size = static_cast<int>(EnvironmentBuilder(scenario.environment).raw().team_size);
         for (const Scene& scene : scenes(size, options.seed)) {
           if (scene.rows() == 0 || scene.columns() == 0) continue;
           findings.where(corner.name, scene.name());

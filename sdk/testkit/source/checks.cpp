@@ -13,22 +13,22 @@
 
 namespace regista::testkit {
 
-std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Options& options) {
+std::vector<Scenario> scenarios(std::int32_t kind, const Loaded& plugin, const Options& options) {
   switch (kind) {
     case REGISTA_KIND_PREDICTOR:
-      return predictor_courses(plugin, options);
+      return predictor_scenarios(plugin, options);
     case REGISTA_KIND_CONTEXT:
-      return context_courses(options);
+      return context_scenarios(options);
     case REGISTA_KIND_POSITIONER:
-      return positioner_courses(options);
+      return positioner_scenarios(options);
     case REGISTA_KIND_UTILITY:
-      return utility_courses(options);
+      return utility_scenarios(options);
     case REGISTA_KIND_ASSIGNER:
-      return assigner_courses(options);
+      return assigner_scenarios(options);
     case REGISTA_KIND_BEHAVIOUR:
-      return behaviour_courses(options);
+      return behaviour_scenarios(options);
     default:
-      return sender_courses(options);
+      return sender_scenarios(options);
   }
 }
 
@@ -42,23 +42,23 @@ void add(std::uint64_t& digest, const Trail& trail) {
 
 }  // namespace
 
-std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Options& options) {
+std::uint64_t scenario_digest(std::int32_t kind, const Loaded& plugin, const Options& options) {
   std::uint64_t digest = empty_digest;
   Values values(plugin);
   options.base(values);
   Findings elsewhere(options.underway);
-  for (const Course& course : courses(kind, plugin, options)) {
-    Instance instance(plugin, course.environment, values);
-    for (std::size_t i = 0; i < course.steps; ++i) {
-      elsewhere.where("", course.name(i));
-      add(digest, detail::step(course, instance, i, {}, elsewhere));
+  for (const Scenario& scenario : scenarios(kind, plugin, options)) {
+    Instance instance(plugin, scenario.environment, values);
+    for (std::size_t i = 0; i < scenario.steps; ++i) {
+      elsewhere.where("", scenario.name(i));
+      add(digest, detail::step(scenario, instance, i, {}, elsewhere));
     }
   }
   return digest;
 }
 
 namespace {
-// Of each course, so that slow plugins are not asked for minutes: what needs longer to show is for a match to find.
+// Of each scenario, so that slow plugins are not asked for minutes: what needs longer to show is for a match to find.
 constexpr std::size_t most_steps_of_a_team = 20;
 }  // namespace
 
@@ -68,22 +68,22 @@ std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin,
   Values values(plugin);
   options.base(values);
   Findings elsewhere(options.underway);
-  for (const Course& course : courses(kind, plugin, options)) {
+  for (const Scenario& scenario : scenarios(kind, plugin, options)) {
     std::vector<std::unique_ptr<Instance>> team(robots_of_a_team);
     for (std::size_t robot = 0; robot < team.size(); ++robot) {
       if (only.value_or(robot) != robot) continue;
-      EnvironmentBuilder environment = course.environment;
+      EnvironmentBuilder environment = scenario.environment;
       const std::size_t size = environment.raw().team_size;  // some scenes are of smaller teams
       team[robot] = std::make_unique<Instance>(plugin, environment.own(static_cast<int>(robot % size) + 1), values);
     }
-    const std::size_t steps = std::min(course.steps, most_steps_of_a_team);
+    const std::size_t steps = std::min(scenario.steps, most_steps_of_a_team);
     for (const std::size_t apart : {std::size_t{0}, std::size_t{1}}) {
       for (std::size_t i = 0; i < steps; ++i) {
         for (std::size_t robot = 0; robot < team.size(); ++robot) {
           if (!team[robot]) continue;
-          const std::size_t index = (i + apart * robot) % course.steps;
-          elsewhere.where("", course.name(index));
-          add(out[robot], detail::step(course, *team[robot], index, {}, elsewhere));
+          const std::size_t index = (i + apart * robot) % scenario.steps;
+          elsewhere.where("", scenario.name(index));
+          add(out[robot], detail::step(scenario, *team[robot], index, {}, elsewhere));
         }
       }
     }
@@ -91,17 +91,17 @@ std::vector<std::uint64_t> team_digests(std::int32_t kind, const Loaded& plugin,
   return out;
 }
 
-void play_course(std::int32_t kind, const Loaded& plugin, const Options& options,
-                 const std::function<void(const std::string& step)>& after) {
+void play_scenario(std::int32_t kind, const Loaded& plugin, const Options& options,
+                   const std::function<void(const std::string& step)>& after) {
   Values values(plugin);
   options.base(values);
   Findings elsewhere(options.underway);
-  for (const Course& course : courses(kind, plugin, options)) {
-    Instance instance(plugin, course.environment, values);
-    for (std::size_t i = 0; i < std::min(course.steps, most_steps_of_a_team); ++i) {
-      elsewhere.where("", course.name(i));
-      detail::step(course, instance, i, {}, elsewhere);
-      after(course.name(i));
+  for (const Scenario& scenario : scenarios(kind, plugin, options)) {
+    Instance instance(plugin, scenario.environment, values);
+    for (std::size_t i = 0; i < std::min(scenario.steps, most_steps_of_a_team); ++i) {
+      elsewhere.where("", scenario.name(i));
+      detail::step(scenario, instance, i, {}, elsewhere);
+      after(scenario.name(i));
     }
   }
 }
@@ -112,14 +112,14 @@ std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const O
   Values values(plugin);
   options.base(values);
   Findings elsewhere(options.underway);
-  for (const Course& course : courses(kind, plugin, options)) {
-    Instance instance(plugin, course.environment, values);
+  for (const Scenario& scenario : scenarios(kind, plugin, options)) {
+    Instance instance(plugin, scenario.environment, values);
     instance.host().allocated = allocated;
     for (const bool counts : {false, true}) {
       instance.host().costs = counts ? &costs : nullptr;
-      for (std::size_t i = 0; i < course.steps; ++i) {
-        elsewhere.where("", course.name(i));
-        detail::step(course, instance, i, {}, elsewhere);
+      for (std::size_t i = 0; i < scenario.steps; ++i) {
+        elsewhere.where("", scenario.name(i));
+        detail::step(scenario, instance, i, {}, elsewhere);
       }
     }
   }
@@ -161,16 +161,16 @@ Check guarded_check(std::int32_t kind, Check check) {
   return check;
 }
 
-template <class CheckCourses>
-Check over_courses(std::int32_t kind, const char* name, const char* promise, CheckCourses check) {
+template <class CheckScenarios>
+Check over_scenarios(std::int32_t kind, const char* name, const char* promise, CheckScenarios check) {
   return {name, promise, [kind, check](const Loaded& plugin, const Options& options) {
-            return check(plugin, options, courses(kind, plugin, options));
+            return check(plugin, options, scenarios(kind, plugin, options));
           }};
 }
 
 // Who reads everything has nothing to hide from.
 Check reads_check(std::int32_t kind) {
-  Check out = over_courses(kind, "reads", "reads only what it declares", check_reads);
+  Check out = over_scenarios(kind, "reads", "reads only what it declares", check_reads);
   out.applies = [](const Loaded& plugin, const Options&) {
     return (~plugin.descriptor().reads & REGISTA_READS_ALL) != 0;
   };
@@ -185,7 +185,7 @@ std::uint32_t subject_of_mailbox(std::int32_t kind, const Loaded& plugin) {
 
 // What it hears is memory that it is given, too.
 Findings check_memory_and_messages(std::int32_t kind, const Loaded& plugin, const Options& options) {
-  Findings findings = check_memory(plugin, options, courses(kind, plugin, options));
+  Findings findings = check_memory(plugin, options, scenarios(kind, plugin, options));
   if (plugin.implements(REGISTA_KIND_MAILBOX)) {
     play_messages_guarded(plugin, options, subject_of_mailbox(kind, plugin));
   }
@@ -199,15 +199,15 @@ bool models(const Loaded& plugin, std::uint32_t subject) { return (detail::subje
 std::vector<Check> contract(std::int32_t kind) {
   std::vector<Check> out{
       {"descriptor", "describes itself", [](const Loaded& plugin, const Options&) { return check_descriptor(plugin); }},
-      over_courses(kind, "promises", "every output is as abi.h promises", check_promises),
-      over_courses(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
-      over_courses(kind, "growth", "works with a host of a later minor version", check_growth),
+      over_scenarios(kind, "promises", "every output is as abi.h promises", check_promises),
+      over_scenarios(kind, "determinism", "the same calls give the same bytes, also after a reset", check_determinism),
+      over_scenarios(kind, "growth", "works with a host of a later minor version", check_growth),
       {"memory", "touches no memory but what it is given",
        [kind](const Loaded& plugin, const Options& options) {
          return check_memory_and_messages(kind, plugin, options);
        }},
       reads_check(kind),
-      over_courses(kind, "life", "can be created, reset and destroyed in any order", check_life),
+      over_scenarios(kind, "life", "can be created, reset and destroyed in any order", check_life),
       {"mailbox", "bears any message",
        [kind](const Loaded& plugin, const Options& options) {
          return check_mailbox(plugin, options, subject_of_mailbox(kind, plugin));

@@ -208,14 +208,14 @@ void add_chance(SceneRow& c, std::uint64_t seed) {
 }  // namespace
 
 std::vector<Scene> scenes(int team_size, std::uint64_t seed) {
-  SceneRow course(team_size);
-  add_formations(course);
-  add_tasks(course);
-  add_opponents(course);
-  add_ball_and_game(course);
-  add_absurd(course);
-  add_chance(course, seed);
-  return course.take();
+  SceneRow scenario(team_size);
+  add_formations(scenario);
+  add_tasks(scenario);
+  add_opponents(scenario);
+  add_ball_and_game(scenario);
+  add_absurd(scenario);
+  add_chance(scenario, seed);
+  return scenario.take();
 }
 
 }  // namespace regista::testkit

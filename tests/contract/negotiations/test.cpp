@@ -6,21 +6,15 @@
 
 #include <algorithm>
 
-#include <regista/testkit/check_rehearsal.hpp>
 #include <regista/testkit/checks.hpp>
 #include <regista/testkit/contract.hpp>
+#include <regista/testkit/kind_checks.hpp>
 #include <regista/testkit/rehearsal.hpp>
+#include <regista/testkit/sanitized.hpp>
 
 namespace {
 
 // A rehearsal takes a second, and 15 with sanitizers: there one that passes and one that fails are enough.
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 #define NOT_WITH_SANITIZERS \
   if (sanitized) GTEST_SKIP() << "takes too long with sanitizers"
 

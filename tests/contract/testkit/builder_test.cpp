@@ -7,11 +7,11 @@
 #include <cmath>
 #include <set>
 
-#include <regista/testkit/check_tracks.hpp>
 #include <regista/testkit/dice.hpp>
 #include <regista/testkit/frame_builder.hpp>
 #include <regista/testkit/instance.hpp>
-#include <regista/testkit/measurement_course.hpp>
+#include <regista/testkit/kind_checks.hpp>
+#include <regista/testkit/measurement_scenario.hpp>
 #include <regista/testkit/scenes.hpp>
 
 namespace {
@@ -352,10 +352,10 @@ TEST(Covariance, IsToldFromWhatIsNone) {
   }
 }
 
-TEST(MeasurementCourse, IsSoundInput) {
+TEST(MeasurementScenario, IsSoundInput) {
   for (const std::uint32_t subject : {1u, 2u, 4u, 8u}) {
     bool nothing = false, twice = false, far = false, packet = false;
-    for (const Tick& tick : measurement_course(subject, subject != 8u, 1)) {
+    for (const Tick& tick : measurement_scenario(subject, subject != 8u, 1)) {
       EXPECT_GT(tick.dt, 0.0);
       nothing |= tick.corrects && tick.measurements.empty();
       for (const regista_measurement& m : tick.measurements) {

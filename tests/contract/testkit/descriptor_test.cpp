@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include <regista/extensions/metric.h>
-#include <regista/testkit/check_descriptor.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include <regista/testkit/check_descriptor.hpp>
 #include <regista/testkit/frame_builder.hpp>
 #include <regista/testkit/instance.hpp>
+#include <regista/testkit/kind_checks.hpp>
 #include <regista/utility.hpp>
 
 namespace {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mcap/error.hpp"
+#include "mcap/file_io.hpp"
 #include "mcap/reader.hpp"
 
 namespace regista::mcap {
@@ -30,6 +30,8 @@ inline std::size_t examine(const std::filesystem::path& file) {
     };
     read_on();
     reader.select({.first_time = 1, .last_time = 1'000'000'000, .topics = {"/truth"}});
+    read_on();
+    reader.select({.by_time = true});
     read_on();
   } catch (const Error&) {
   }

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "fuzz/recorded_match/recorded.hpp"
-#include "mcap/utf8.hpp"
+#include "mcap/encoding.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string_view rest(reinterpret_cast<const char*>(data), size);

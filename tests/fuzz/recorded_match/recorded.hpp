@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mcap/error.hpp"
+#include "mcap/file_io.hpp"
 #include "mcap/writer.hpp"
 #include "recording/moment_svg.hpp"
 #include "recording/recorded_match.hpp"

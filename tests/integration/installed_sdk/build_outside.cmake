@@ -22,7 +22,7 @@ run(${CMAKE_COMMAND} -S ${project} -B ${project}/build -G ${generator} -D CMAKE_
     -D CMAKE_EXPORT_COMPILE_COMMANDS=ON)
 
 file(READ ${project}/build/compile_commands.json commands)
-foreach(folder sdk host plugins)
+foreach(folder sdk host plugins league)
   string(FIND "${commands}" "${source}/${folder}/" position)
   if(NOT position EQUAL -1)
     message(FATAL_ERROR "the outside project was compiled with files of ${source}/${folder}:\n${commands}")
@@ -33,6 +33,14 @@ run(${CMAKE_COMMAND} --build ${project}/build)
 file(GLOB plugins ${project}/build/plugins/*.so)
 run(${python} ${source}/tests/architecture/exported_symbols.py ${plugins})
 run(${CMAKE_CTEST_COMMAND} --test-dir ${project}/build --no-tests=error --output-on-failure)
+
+# The league is such a project. All of it is compiled, one of its tests is run.
+file(COPY ${source}/league DESTINATION ${work})
+run(${CMAKE_COMMAND} -S ${work}/league -B ${work}/league/build -G ${generator} -D CMAKE_BUILD_TYPE=Debug
+    -D CMAKE_CXX_COMPILER=${cxx_compiler} -D CMAKE_PREFIX_PATH=${prefix})
+run(${CMAKE_COMMAND} --build ${work}/league/build --target regista_league test_static_partition)
+run(${CMAKE_CTEST_COMMAND} --test-dir ${work}/league/build --no-tests=error --output-on-failure -R ^static_partition\\.)
+run(${python} ${source}/tests/architecture/exported_symbols.py ${work}/league/build/lib/regista/plugins)
 
 # Who asks for another version of the plugin interface than the installed one is told so, and by name.
 file(WRITE ${work}/later/CMakeLists.txt

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "config/documents.hpp"
-#include "config/packet_share.hpp"
+#include "config/rules.hpp"
 #include "match/teams.hpp"
 
 namespace regista {

@@ -15,9 +15,8 @@
 #include "config/values.hpp"
 #include "goal_count_document.hpp"
 #include "results/study_kind.hpp"
-#include "study/plan_names.hpp"
 #include "study/study.hpp"
-#include "study/tournament_setup.hpp"
+#include "study/tournament_plan.hpp"
 #include "texts/json.hpp"
 
 namespace regista::study {
@@ -83,7 +82,7 @@ class GoalCount final : public Study {
       return Round::Place{fixture.number, fixture.seed};
     };
     round.job = [this](std::uint64_t index) { return job(plan_.schedule, calendar_.at(index)); };
-    round.take = [this](std::uint64_t, const campaign::Decided* decided) {
+    round.take = [this](std::uint64_t, const campaign::MatchResult* decided) {
       ++counted_;
       const int goals = decided->score[0] + decided->score[1];
       ++matches_[goals];

@@ -23,8 +23,9 @@ inline Map declare(GoalCount& count) {
 }
 
 inline void check(const GoalCount& count, const Node& document, Mistakes& mistakes) {
-  if (count.home == count.away)
-    refuse(document, {"away", "home"}, "away: the same team as home; a count is of two", mistakes);
+  if (count.home == count.away) {
+    Refusals(document, mistakes)({"away", "home"}, "away: the same team as home; a count is of two");
+  }
 }
 
 const DocumentKind& declared_kind(const GoalCount*);

@@ -10,7 +10,7 @@
 
 #include "goal_count.hpp"
 #include "report/study_report.hpp"
-#include "report/tournament.hpp"
+#include "report/tournament_report.hpp"
 #include "texts/json.hpp"
 
 namespace regista::report {
@@ -46,19 +46,20 @@ class GoalCountReport final : public StudyReport {
     return out;
   }
   std::string standing() const override { return outline_text(outline()); }
-  std::string match(const study::Round& round, std::uint64_t index, const campaign::Decided& decided) const override {
+  std::string match(const study::Round& round, std::uint64_t index,
+                    const campaign::MatchResult& decided) const override {
     return fmt::format("seed {}: {} goals", round.job(index).seed, decided.score[0] + decided.score[1]);
   }
   std::string incomplete() const override {
     return study_.over() ? "" : fmt::format("{} matches: the count is not at its end", study_.counted());
   }
 
-  std::string begin_table(const TableWish&) override { return "row,goals\n"; }
-  std::string table_lines(const study::Round&, std::uint64_t index, const campaign::Decided& decided) override {
+  std::string begin_table(const TableOptions&) override { return "row,goals\n"; }
+  std::string table_lines(const study::Round&, std::uint64_t index, const campaign::MatchResult& decided) override {
     return fmt::format("{},{}\n", index + 1, decided.score[0] + decided.score[1]);
   }
 
-  void take(const study::Round&, std::uint64_t, const campaign::Decided*) override {}
+  void take(const study::Round&, std::uint64_t, const campaign::MatchResult*) override {}
   std::vector<Figure> figures() const override { return {}; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/document_copies.hpp"
+#include "campaign/stored_setup.hpp"
 
 #include <gmock/gmock.h>
 

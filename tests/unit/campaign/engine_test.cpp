@@ -2,7 +2,7 @@
 // The engine with results that are all there already: what it hands on, and that it plays none of them again; and with
 // the workers of main.cpp, which play nothing. Real ones are tested with the program itself, in tests/end_to_end.
 #include "campaign/engine.hpp"
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -26,7 +26,7 @@ class EngineTest : public testing::Test {
   void fill(Store& store, std::uint64_t count) {
     fixture = store.add(std::vector<Store::Fixture>{{"key", {}}}).front();
     for (std::uint64_t seed = count; seed-- > 0;) {
-      const Decided decided{
+      const MatchResult decided{
           {static_cast<int>(seed), 0}, "full_time", "h", metrics_from_json(R"({"packets":[1,2]})"), std::nullopt, 1.0};
       store.insert(static_cast<std::int64_t>(seed) + 1, {fixture, seed}, decided, 1);
     }
@@ -41,7 +41,7 @@ class EngineTest : public testing::Test {
       ADD_FAILURE() << "match " << index << " would be played again";
       return Job{};
     };
-    schedule.take = [this](std::uint64_t index, const Decided* decided, bool fresh) {
+    schedule.take = [this](std::uint64_t index, const MatchResult* decided, bool fresh) {
       EXPECT_FALSE(fresh);
       order.push_back(index);
       if (decided != nullptr) {
@@ -68,7 +68,7 @@ TEST_F(EngineTest, HandsOnInTheOrderOfTheScheduleUntilItIsEnough) {
   fill(store, 500);
   Schedule schedule = schedule_of(500);
   const auto take = schedule.take;
-  schedule.take = [&](std::uint64_t index, const Decided* decided, bool fresh) {
+  schedule.take = [&](std::uint64_t index, const MatchResult* decided, bool fresh) {
     return take(index, decided, fresh) && index + 1 != 400;
   };
   EXPECT_EQ(run(schedule, store, 3, {}), Finish::enough);
@@ -92,7 +92,7 @@ TEST_F(EngineTest, RowsOfAScheduleBeginAfterItsFirst) {
     return job;
   };
   int fresh_ones = 0;
-  schedule.take = [&](std::uint64_t index, const Decided* decided, bool fresh) {
+  schedule.take = [&](std::uint64_t index, const MatchResult* decided, bool fresh) {
     EXPECT_EQ(decided->score[0], static_cast<int>(50 + index));
     fresh_ones += fresh ? 1 : 0;
     return true;
@@ -107,6 +107,39 @@ TEST_F(EngineTest, RowsOfAScheduleBeginAfterItsFirst) {
   }
   EXPECT_EQ(run(schedule, store, 2, {}), Finish::complete);
   EXPECT_EQ(fresh_ones, 6);  // none is played again
+}
+
+// Time is over when the third match is to be begun: two are played to their ends, and what is stored is taken until the
+// next one that is not.
+TEST_F(EngineTest, BeginsNoMatchOnceTimeIsOver) {
+  Store store(file, Store::Mode::create, "1.0");
+  fill(store, 4);
+  Schedule schedule;
+  schedule.matches = 50;
+  schedule.at = [this](std::uint64_t index) { return std::optional(MatchKey{fixture, index}); };
+  int begun = 0;
+  schedule.job = [&begun](std::uint64_t index) {
+    ++begun;
+    Job job;
+    job.seed = index;
+    return job;
+  };
+  schedule.take = [this](std::uint64_t index, const MatchResult* decided, bool /*fresh*/) {
+    EXPECT_NE(decided, nullptr);
+    order.push_back(index);
+    return true;
+  };
+  schedule.out_of_time = [&begun] { return begun == 2; };
+  EXPECT_EQ(run(schedule, store, 2, {}), Finish::out_of_time);
+  EXPECT_EQ(begun, 2);
+  EXPECT_EQ(order, (std::vector<std::uint64_t>{0, 1, 2, 3, 4, 5}));
+  EXPECT_EQ(store.rows(), 6);
+  // From the beginning: nothing is played, and what there is counts all the same.
+  order.clear();
+  schedule.out_of_time = [] { return true; };
+  EXPECT_EQ(run(schedule, store, 2, {}), Finish::out_of_time);
+  EXPECT_EQ(begun, 2);
+  EXPECT_EQ(order.size(), 6u);
 }
 
 // Sixteen matches a worker: more would cost memory, fewer would let workers wait for the slowest match.
@@ -165,13 +198,14 @@ TEST_F(EngineTest, AMatchThatStandsTwiceInTheScheduleIsReadTwice) {
   Store store(file, Store::Mode::create, "1.0");
   const auto number = store.add(std::vector<Store::Fixture>{{"key", {}}}).front();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Decided decided{{static_cast<int>(seed), 0}, "full_time", "h", metrics_from_json("{}"), std::nullopt, 1.0};
+    const MatchResult decided{{static_cast<int>(seed), 0}, "full_time",  "h",
+                              metrics_from_json("{}"),     std::nullopt, 1.0};
     store.insert(static_cast<std::int64_t>(2 * seed) + 1, {number, seed}, decided, 1);
   }
   std::vector<int> scores;
   Schedule schedule = schedule_of(40);
   schedule.at = [&](std::uint64_t index) { return std::optional(MatchKey{number, index / 2}); };
-  schedule.take = [&](std::uint64_t, const Decided* decided, bool) {
+  schedule.take = [&](std::uint64_t, const MatchResult* decided, bool) {
     scores.push_back(decided == nullptr ? -1 : decided->score[0]);
     return true;
   };

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/inputs.hpp"
+#include "campaign/match_inputs.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "campaign/mathematics.hpp"
 
 namespace regista::campaign {
 namespace {

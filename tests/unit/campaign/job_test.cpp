@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/job.hpp"
-#include "campaign/job_setup.hpp"
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
+#include "campaign/match_setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ TEST(Job, SurvivesTheWayToAWorker) {
   const std::string line = to_json(some_job());
   EXPECT_EQ(line.find('\n'), std::string::npos);
   EXPECT_EQ(job_from_json(line), some_job());
-  using enum plugin::Look;
-  for (const plugin::Look each : {seldom, answers, often, always}) {
+  using enum plugin::Inspection;
+  for (const plugin::Inspection each : {seldom, answers, often, always}) {
     Job job = some_job();
     job.look = each;
     EXPECT_EQ(job_from_json(to_json(job)).look, each);
@@ -98,8 +98,8 @@ TEST(Inputs, SurviveTheWayToAFile) {
 }
 
 TEST(Forfeit, IsLostByTheSideThatFailed) {
-  const Decided home = forfeit({0, "greedy", "assign", 3, 4, "fell"}, 1.5);
-  const Decided away = forfeit({1, "greedy", "assign", 3, 4, "fell"}, 1.5);
+  const MatchResult home = forfeit({0, "greedy", "assign", 3, 4, "fell"}, 1.5);
+  const MatchResult away = forfeit({1, "greedy", "assign", 3, 4, "fell"}, 1.5);
   EXPECT_EQ(home.score, (std::array{0, 10}));
   EXPECT_EQ(away.score, (std::array{10, 0}));
   EXPECT_EQ(home.ended, "forfeit");

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "campaign/job.hpp"
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
 #include "campaign/worker.hpp"
 
 using namespace regista::campaign;

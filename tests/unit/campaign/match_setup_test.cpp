@@ -5,19 +5,20 @@
 
 #include <cstdint>
 
-#include "config/bad_input.hpp"
+#include "config/errors.hpp"
+#include "config/scalar.hpp"
 
 namespace regista::campaign {
 namespace {
 
-TEST(ParseSeed, TakesEveryNumberOf64Bits) {
-  EXPECT_EQ(parse_seed("0", "--seed"), 0u);
-  EXPECT_EQ(parse_seed("18446744073709551615", "--seed"), UINT64_MAX);
+TEST(Seed, TakesEveryNumberOf64Bits) {
+  EXPECT_EQ(config::parse_whole("--seed", "0", 0, UINT64_MAX), 0u);
+  EXPECT_EQ(config::parse_whole("--seed", "18446744073709551615", 0, UINT64_MAX), UINT64_MAX);
 }
 
-TEST(ParseSeed, RefusesEverythingElse) {
+TEST(Seed, RefusesEverythingElse) {
   for (const char* text : {"", " 1", "1 ", "-1", "+1", "1.0", "1e3", "0x10", "18446744073709551616", "one"}) {
-    EXPECT_THROW(parse_seed(text, "--seed"), config::BadInput) << text;
+    EXPECT_THROW(config::parse_whole("--seed", text, 0, UINT64_MAX), config::BadInput) << text;
   }
 }
 

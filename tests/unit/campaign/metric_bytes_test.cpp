@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Numbers of matches as JSON and as bytes: what is read is what was written, bit for bit, and nothing else is read.
-#include "campaign/metric_bytes.hpp"
+#include "campaign/match_encoding.hpp"
 
 #include <gmock/gmock.h>
 
@@ -13,7 +13,6 @@
 #include <string_view>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
 #include "texts/json.hpp"
 
 namespace regista::campaign {

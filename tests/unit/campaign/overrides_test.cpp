@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/overrides.hpp"
+#include "campaign/match_setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,43 +9,49 @@
 namespace regista::campaign {
 namespace {
 
-std::vector<std::string> of(const SortedOverrides& sorted, std::string_view document) {
+std::vector<std::string> of(const config::Overrides& all, std::string_view document) {
   std::vector<std::string> out;
-  for (const config::Override& each : sorted.of(document)) out.push_back(to_string(each));
+  for (const config::Override& each : overrides_for(document, all)) out.push_back(to_string(each));
   return out;
 }
 using List = std::vector<std::string>;
 
-TEST(SortedOverrides, GoWhereTheirFirstPartSays) {
-  const SortedOverrides sorted({"home.team=a", "away.team=b", "rules.team_size=5", "robot.walk.forward=1",
-                                "disturbance.radio.delay=1", "away_disturbance.radio.loss=0.5",
-                                "home_disturbance.radio.delay=2", "opening.length=20", "sender.params.reserve=3",
-                                "roles.playing=[]"});
-  EXPECT_EQ(of(sorted, "home"), (List{"team=a", "sender.params.reserve=3", "roles.playing=[]"}));
-  EXPECT_EQ(of(sorted, "away"), (List{"team=b", "sender.params.reserve=3", "roles.playing=[]"}));
-  EXPECT_EQ(of(sorted, "rules"), List{"team_size=5"});
-  EXPECT_EQ(of(sorted, "robot"), List{"walk.forward=1"});
-  EXPECT_EQ(of(sorted, "home_disturbance"), (List{"radio.delay=1", "radio.delay=2"}));
-  EXPECT_EQ(of(sorted, "away_disturbance"), (List{"radio.delay=1", "radio.loss=0.5"}));
-  EXPECT_EQ(of(sorted, "opening"), List{"length=20"});
+TEST(Overrides, GoWhereTheirFirstPartSays) {
+  const config::Overrides all{"home.team=a",
+                              "away.team=b",
+                              "rules.team_size=5",
+                              "robot.walk.forward=1",
+                              "disturbance.radio.delay=1",
+                              "away_disturbance.radio.loss=0.5",
+                              "home_disturbance.radio.delay=2",
+                              "opening.length=20",
+                              "sender.params.reserve=3",
+                              "roles.playing=[]"};
+  EXPECT_EQ(of(all, "home"), (List{"team=a", "sender.params.reserve=3", "roles.playing=[]"}));
+  EXPECT_EQ(of(all, "away"), (List{"team=b", "sender.params.reserve=3", "roles.playing=[]"}));
+  EXPECT_EQ(of(all, "rules"), List{"team_size=5"});
+  EXPECT_EQ(of(all, "robot"), List{"walk.forward=1"});
+  EXPECT_EQ(of(all, "home_disturbance"), (List{"radio.delay=1", "radio.delay=2"}));
+  EXPECT_EQ(of(all, "away_disturbance"), (List{"radio.delay=1", "radio.loss=0.5"}));
+  EXPECT_EQ(of(all, "opening"), List{"length=20"});
 }
 
-TEST(SortedOverrides, KeepTheirOrder) {
-  const SortedOverrides sorted({"team=a", "home.team=b", "team=c"});
-  EXPECT_EQ(of(sorted, "home"), (List{"team=a", "team=b", "team=c"}));
-  EXPECT_EQ(of(sorted, "away"), (List{"team=a", "team=c"}));
+TEST(Overrides, KeepTheirOrder) {
+  const config::Overrides all{"team=a", "home.team=b", "team=c"};
+  EXPECT_EQ(of(all, "home"), (List{"team=a", "team=b", "team=c"}));
+  EXPECT_EQ(of(all, "away"), (List{"team=a", "team=c"}));
 }
 
 // So messages name them as they were typed.
-TEST(SortedOverrides, KeepTheirPlaces) {
-  const SortedOverrides sorted({"rules.team_size=50"});
-  EXPECT_EQ(to_string(sorted.of("rules").front().where), "--set rules.team_size=50");
-  EXPECT_EQ(to_string(sorted.of("rules").front().value.where()), "--set rules.team_size=50");
+TEST(Overrides, KeepTheirPlaces) {
+  const config::Overrides all{"rules.team_size=50"};
+  EXPECT_EQ(to_string(overrides_for("rules", all).front().where), "--set rules.team_size=50");
+  EXPECT_EQ(to_string(overrides_for("rules", all).front().value.where()), "--set rules.team_size=50");
 }
 
-TEST(SortedOverrides, WhatIsNoneIsRefused) {
+TEST(Overrides, WhatIsNoneIsRefused) {
   for (const char* const typed : {"rules", "=5", "rules.team_size="})
-    EXPECT_THROW(SortedOverrides({typed}), config::Error) << typed;
+    EXPECT_THROW(overrides_for("rules", {typed}), config::Error) << typed;
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
 #include "campaign/store.hpp"
 
 namespace regista::campaign {
@@ -50,8 +50,8 @@ class StoreTest : public testing::Test {
 
   std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / ("store-" + std::to_string(getpid()));
   std::filesystem::path file = folder / "results.db";
-  Decided played{{3, 1}, "full_time", "9f2c", metrics_from_json(R"({"packets":[1,2]})"), std::nullopt, 1.5};
-  Decided forfeited = forfeit({1, "greedy", "assign", 3, 417, "Segmentation fault"}, 0.5);
+  MatchResult played{{3, 1}, "full_time", "9f2c", metrics_from_json(R"({"packets":[1,2]})"), std::nullopt, 1.5};
+  MatchResult forfeited = forfeit({1, "greedy", "assign", 3, 417, "Segmentation fault"}, 0.5);
 };
 
 }  // namespace regista::campaign

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
-#include "campaign/row_checksum.hpp"
-#include "match/packet_metrics.hpp"
+#include "campaign/stored_row.hpp"
+#include "match/metric_numbers.hpp"
 #include "store_fixture.hpp"
 
 namespace regista::campaign {
@@ -19,7 +19,7 @@ using testing::HasSubstr;
 class StorePackets : public StoreTest {
  protected:
   StorePackets() {
-    for (Decided* const each : {&game, &whole, &half}) *each = played;
+    for (MatchResult* const each : {&game, &whole, &half}) *each = played;
     game.metrics = metrics_from_json(
         R"({"shots": [4, 5], "packets": [28, 34], "packets_share": [30, 30.123456], "packets_over_share": [-2, 3.876544]})");
     whole.metrics = metrics_from_json(R"({"packets": [700, 800], "packets_share": [null, null], "shots": [1, 2]})");
@@ -28,7 +28,7 @@ class StorePackets : public StoreTest {
   }
 
   // By the seeds 1 to 4, in the rows 1, 3, 5 and 7.
-  std::map<int, Decided> all() const { return {{1, game}, {2, whole}, {3, half}, {4, forfeited}}; }
+  std::map<int, MatchResult> all() const { return {{1, game}, {2, whole}, {3, half}, {4, forfeited}}; }
   void make_file(const std::filesystem::path& path) const {
     Store store(path, Mode::create, "1.0");
     const auto fixture = number(store, "key");
@@ -36,14 +36,14 @@ class StorePackets : public StoreTest {
   }
   static std::uint64_t seed_of(int seed) { return static_cast<std::uint64_t>(seed); }
 
-  static Decided found(const Store& store, int seed, Metrics metrics) {
+  static MatchResult found(const Store& store, int seed, Metrics metrics) {
     return store.find(2 * seed - 1, {1, seed_of(seed)}, metrics).value();
   }
 
   // Of all matches, whatever is read of them.
   void expect_the_same_packets(const Store& store) const {
     for (const int seed : {4, 1, 2, 3, 1}) {
-      const Decided decided = found(store, seed, Metrics::packets);
+      const MatchResult decided = found(store, seed, Metrics::packets);
       EXPECT_EQ(decided.hash, all().at(seed).hash);
       for (const char* const name : match::packet_metrics) {
         for (const Side side : match::both_sides) {
@@ -55,7 +55,7 @@ class StorePackets : public StoreTest {
 
   int stored() const { return SQLite::Database(file.string()).execAndGet("SELECT count(*) FROM packets").getInt(); }
 
-  Decided game, whole, half;
+  MatchResult game, whole, half;
 };
 
 TEST_F(StorePackets, AreThoseOfTheMatch) {

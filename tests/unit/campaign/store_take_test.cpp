@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "campaign/row_checksum.hpp"
 #include "campaign/store.hpp"
+#include "campaign/stored_row.hpp"
 #include "store_fixture.hpp"
 
 namespace regista::campaign {
@@ -40,7 +40,7 @@ class Take : public StoreTest {
   Store there() const { return {part_file, Mode::open, "1.0", Journal::rollback}; }
 
   std::filesystem::path part_file = folder / "part.db";
-  Decided second = played, said = played;
+  MatchResult second = played, said = played;
 };
 
 TEST_F(Take, KeepsRowsAndAllThatStandsInThem) {
@@ -72,7 +72,7 @@ TEST_F(Take, LeavesOutWhatNobodyPlanned) {
 
 TEST_F(Take, RefusesAnotherResultOfTheSameMatchAndAnotherMatchInARow) {
   Store store = here();
-  Decided different = second;
+  MatchResult different = second;
   different.hash = "bb";
   store.insert(8, {1, 5}, different, 1);
   store.insert(4, {1, 100}, played, 1);

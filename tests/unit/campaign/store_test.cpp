@@ -11,7 +11,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "process/descriptor.hpp"
+#include "process/file_descriptor.hpp"
 #include "store_fixture.hpp"
 
 namespace regista::campaign {
@@ -40,7 +40,7 @@ TEST_F(StoreTest, GivesBackWhatWasInserted) {
 TEST_F(StoreTest, FindsAMatchWhereverItStands) {
   Store store(file, Mode::create, "1.0");
   const auto fixture = number(store, "key"), other = number(store, "other");
-  Decided second = played;
+  MatchResult second = played;
   second.score = {0, 7};
   store.insert(1, {fixture, 5}, played, 1);
   store.insert(9, {other, 5}, second, 1);
@@ -61,7 +61,7 @@ TEST_F(StoreTest, FindsMatchesInAnyOrder) {
   Store store(file, Mode::create, "1.0");
   const auto fixture = number(store, "key");
   const auto match = [&](std::uint64_t row) {
-    Decided out = played;
+    MatchResult out = played;
     out.score = {static_cast<int>(row), 0};
     return out;
   };
@@ -127,7 +127,7 @@ TEST_F(StoreTest, LeavesMetricsOutWhereTheyAreNotWanted) {
   Store store(file, Mode::create, "1.0");
   const auto fixture = number(store, "key");
   store.insert(1, {fixture, 1}, played, 1);
-  Decided without = played;
+  MatchResult without = played;
   without.metrics = {};
   EXPECT_EQ(store.find(1, {fixture, 1}, Metrics::left_out), without);
   EXPECT_EQ(store.find(7, {fixture, 1}, Metrics::left_out), without);

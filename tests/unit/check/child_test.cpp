@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "check/child.hpp"
+#include "check/isolation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,8 @@
 #include <algorithm>
 #include <sstream>
 
-#include "cli/commands.hpp"
-#include "command/help_text.hpp"
-#include "config/bad_input.hpp"
+#include "command/options_declared.hpp"
+#include "config/errors.hpp"
 
 namespace regista::cli {
 namespace {

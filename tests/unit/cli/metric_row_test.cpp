@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "campaign/match_json.hpp"
-#include "campaign/metric_bytes.hpp"
+#include "campaign/match_encoding.hpp"
 #include "report/match_summary.hpp"
 #include "report/metric_reference.hpp"
-#include "report/tournament_outline.hpp"
+#include "report/tournament_report.hpp"
 #include "texts/json.hpp"
 
 namespace regista::cli {
@@ -84,8 +83,9 @@ TEST_F(MetricRow, StandsOnThePageOfATournament) {
   plan.teams = {{"a", {{"team", "1"}}}, {"b", {{"team", "2"}}}};
   plan.most_goals = 10;
   study::Tournament course(plan);
-  report::CourseRecord record(plan, course, {});
-  const campaign::Decided decided{{0, 0}, "full_time", "9f2c", campaign::numbers_of(played, table), std::nullopt, 1.0};
+  report::TournamentHistory record(plan, course, {});
+  const campaign::MatchResult decided{{0, 0},       "full_time", "9f2c", campaign::numbers_of(played, table),
+                                      std::nullopt, 1.0};
   for (int i = 0; i < 2; ++i) {
     course.take(&decided);
     record.take(&decided);

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "cli/common_names.hpp"
 
 namespace regista::cli {
 namespace {
@@ -25,10 +24,10 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // Types of values that are no files, as the help calls them.
-constexpr std::array plain{"CHECK",   "A,B",       "TEXT",    "NUMBER", "MINUTES",        "NAME=VALUE",  "N",
-                           "SECONDS", "TIME",      "MIB",     "RATE",   "ELO0,ELO1",      "NAME",        "PATH=VALUE",
-                           "ID",      "COUNTS",    "A,B,...", "H0,H1",  "[home/|away/]N", "[HALF/]M:SS", "MATCH",
-                           "X,Y",     "NEW_FOLDER"};
+constexpr std::array plain{"CHECK",   "A,B",        "TEXT",    "NUMBER", "MINUTES",        "NAME=VALUE",  "N",
+                           "SECONDS", "TIME",       "MIB",     "RATE",   "ELO0,ELO1",      "NAME",        "PATH=VALUE",
+                           "ID",      "COUNTS",     "A,B,...", "H0,H1",  "[home/|away/]N", "[HALF/]M:SS", "MATCH",
+                           "X,Y",     "NEW_FOLDER", "COMMAND"};
 
 class OutputFilesTest : public testing::Test {
  protected:

@@ -13,13 +13,13 @@
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
-#include "process/temporary_folder.hpp"
+#include "process/file_descriptor.hpp"
 #include "report/evaluation_report.hpp"
-#include "report/experiment.hpp"
+#include "report/experiment_report.hpp"
 #include "report/outline.hpp"
-#include "report/tournament.hpp"
-#include "report/tuning_sentences.hpp"
-#include "results/written_study.hpp"
+#include "report/tournament_report.hpp"
+#include "report/tuning_report.hpp"
+#include "results/results_file.hpp"
 #include "texts/json.hpp"
 #include "unit/study/experiment_fixture.hpp"
 #include "unit/study/tournament_fixture.hpp"
@@ -52,6 +52,7 @@ format: gauntlet
 pairs: 7
 test: {elo: [-3, 8], model: logistic, alpha: 0.04, beta: 0.2}
 seed: 5
+seeds: consecutive
 disturbance: wind.yaml
 failures_in_a_row: 4
 )";
@@ -64,6 +65,7 @@ team: c.yaml
 opponent: d.yaml
 matches: 6
 seed: 5
+seeds: consecutive
 disturbance: wind.yaml
 opponent_disturbance: fog.yaml
 sweep: {path: rules.messages.budget, values: [600, 1200]}
@@ -80,6 +82,7 @@ opponents: [{team: b.yaml, weight: 3}]
 parameters: [{path: p0, range: [0.25, 0.75]}]
 objective: {minimise: {goals_against: 2}}
 seed: 5
+seeds: consecutive
 disturbance: wind.yaml
 opponent_disturbance: fog.yaml
 search: {algorithm: spsa, matches: 400, minutes: 2.5, pairs: 3, population: 8}

@@ -7,8 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "cli/common_names.hpp"
-#include "output/new_folder.hpp"
+#include "cli/command_line.hpp"
 #include "output/new_plugin.hpp"
 
 namespace regista::cli {

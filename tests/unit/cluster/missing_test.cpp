@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cluster/missing.hpp"
+#include "cluster/batch.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What tasks leave behind, as it comes into the study's results.
-#include "cluster/parts.hpp"
+#include "cluster/study_folder.hpp"
 
 #include <gmock/gmock.h>
 
@@ -32,7 +32,7 @@ class Parts : public FolderTest {
               campaign::Journal::rollback);
     out.set_meta("schedule", "{}");
     out.insert(row, {out.add(fixtures).front(), static_cast<std::uint64_t>(row)}, match(), 1);
-    write_course(study, name, {1, 1, 1, 0, 2.5, ended, "node1"});
+    write_progress(study, name, {1, 1, 1, 0, 2.5, ended, "node1"});
     return out;
   }
   std::vector<std::string> names(const std::filesystem::path& in) const {
@@ -49,12 +49,12 @@ class Parts : public FolderTest {
 TEST_F(Parts, AreTakenOverAndRemovedAlsoOfTasksThatWereKilled) {
   part({1, 0}, 1);
   part({1, 12}, 2, false);
-  EXPECT_EQ(courses(study).size(), 2u);
+  EXPECT_EQ(task_progress(study).size(), 2u);
   const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
   EXPECT_EQ(out.rows, 2u);
   EXPECT_THAT(out.remarks, IsEmpty());
   EXPECT_THAT(names(study.parts()), IsEmpty());
-  EXPECT_THAT(courses(study), IsEmpty());
+  EXPECT_THAT(task_progress(study), IsEmpty());
   EXPECT_EQ(results->rows(), 2);
 }
 
@@ -70,7 +70,7 @@ TEST_F(Parts, OfATaskThatPlaysStayWithIt) {
   const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
   EXPECT_EQ(out.in_use, 1u);
   EXPECT_EQ(out.rows, 0u);
-  EXPECT_EQ(courses(study).size(), 1u);
+  EXPECT_EQ(task_progress(study).size(), 1u);
   EXPECT_TRUE(std::filesystem::exists(study.under_way({1, 0})));
   ASSERT_EQ(out.remarks.size(), 1u);
   EXPECT_EQ(out.remarks[0], "1-0.db.part: a task that should have ended still holds it; it is taken later");
@@ -100,10 +100,10 @@ TEST_F(Parts, NodesThatRefuseAreNamedOnce) {
 }
 
 TEST_F(Parts, TheCourseOfATaskComesBackFromItsFile) {
-  EXPECT_EQ(course_from_json(to_json(Course{3, 9, 2, 1, 4.5, false, "n"})).fresh, 2u);
-  EXPECT_THROW(course_from_json("{}"), std::invalid_argument);
-  std::ofstream(study.course({1, 0})) << "half a li";
-  EXPECT_THAT(courses(study), IsEmpty());
+  EXPECT_EQ(progress_from_json(to_json(TaskProgress{3, 9, 2, 1, 4.5, false, "n"})).fresh, 2u);
+  EXPECT_THROW(progress_from_json("{}"), std::invalid_argument);
+  std::ofstream(study.progress({1, 0})) << "half a li";
+  EXPECT_THAT(task_progress(study), IsEmpty());
 }
 
 TEST_F(Parts, TheFolderKnowsItself) {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "cluster/missing.hpp"
-#include "study/tournament.hpp"
+#include "cluster/batch.hpp"
+#include "study/tournament_course.hpp"
 #include "study_of_two_rounds.hpp"
 #include "unit/study/tournament_fixture.hpp"
 
@@ -20,9 +20,9 @@ constexpr std::uint64_t most_pairs = 150;
 class RoundWise : public FolderTest {
  protected:
   // What comes of the plan's matches, in their order. advantage: how much likelier the first team wins than loses.
-  static std::vector<campaign::Decided> results(std::uint64_t seed, double advantage) {
+  static std::vector<campaign::MatchResult> results(std::uint64_t seed, double advantage) {
     std::mt19937_64 chance(seed);
-    std::vector<campaign::Decided> out;
+    std::vector<campaign::MatchResult> out;
     for (std::uint64_t i = 0; i < 2 * most_pairs; ++i) {
       const double u = static_cast<double>(chance() >> 11) * 0x1p-53;
       const int first = u < 0.35 + advantage / 2 ? 1 : 0, second = u >= 0.65 + advantage / 2 ? 1 : 0;
@@ -37,27 +37,27 @@ class RoundWise : public FolderTest {
     bool operator==(const End&) const = default;
   };
 
-  static End one_by_one(const study::TournamentPlan& plan, const std::vector<campaign::Decided>& results) {
-    study::Tournament course(plan);
-    for (const campaign::Decided& each : results) {
-      if (!course.take(&each)) break;
+  static End one_by_one(const study::TournamentPlan& plan, const std::vector<campaign::MatchResult>& results) {
+    study::Tournament progress(plan);
+    for (const campaign::MatchResult& each : results) {
+      if (!progress.take(&each)) break;
     }
-    return {course.verdict(), course.matches()};
+    return {progress.verdict(), progress.matches()};
   }
 
   // Batches of so many matches, in whatever order they end. beyond: matches played that the test did not need.
-  End in_batches(const study::TournamentPlan& plan, const std::vector<campaign::Decided>& results,
+  End in_batches(const study::TournamentPlan& plan, const std::vector<campaign::MatchResult>& results,
                  std::uint64_t matches, std::uint64_t seed, std::uint64_t& beyond) {
     std::mt19937_64 chance(seed);
     const std::filesystem::path file = folder / "results.db";
     for (const char* const each : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + each);
     campaign::Store store(file, campaign::Store::Mode::create, "1.0");
     for (;;) {
-      study::Tournament course(plan);
-      const Missing missing = missing_of(course, store, matches);
+      study::Tournament progress(plan);
+      const Missing missing = missing_of(progress, store, matches);
       if (missing.complete()) {
-        beyond = static_cast<std::uint64_t>(store.rows()) - course.matches();
-        return {course.verdict(), course.matches()};
+        beyond = static_cast<std::uint64_t>(store.rows()) - progress.matches();
+        return {progress.verdict(), progress.matches()};
       }
       std::vector<std::uint64_t> places;
       for (const Slice& each : missing.places) {
@@ -68,7 +68,7 @@ class RoundWise : public FolderTest {
       for (const campaign::Fixture& each : study::fixtures(plan)) keys.push_back(each.key);
       const std::vector<std::int64_t> numbers = store.numbers(keys);
       for (const std::uint64_t index : places) {
-        const study::Fixture fixture = course.calendar().at(index);
+        const study::Fixture fixture = progress.calendar().at(index);
         store.insert(static_cast<std::int64_t>(index) + 1, {numbers[fixture.number], fixture.seed}, results[index], 1);
       }
     }
@@ -83,7 +83,7 @@ class RoundWise : public FolderTest {
     Counts out;
     for (int i = 0; i < tournaments; ++i) {
       const auto seed = static_cast<std::uint64_t>(i);
-      const std::vector<campaign::Decided> played = results(seed, advantage);
+      const std::vector<campaign::MatchResult> played = results(seed, advantage);
       const End end = one_by_one(plan, played);
       out.h1 += end.verdict == study::Verdict::accept_h1 ? 1 : 0;
       out.h0 += end.verdict == study::Verdict::accept_h0 ? 1 : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "cluster/shared_file.hpp"
+#include "cluster/study_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a task asks the engine for, as far as that can be seen without a match: of what is in its part already nothing
 // is played.
-#include "cluster/slice.hpp"
+#include "cluster/task.hpp"
 
 #include <gmock/gmock.h>
 
@@ -24,19 +24,19 @@ TEST_F(SliceTest, LooksAtItsOwnPlacesAlone) {
   TwoRounds study;
   SliceOrder order;
   order.slices = {{0, 2}, {4, 5}};
-  std::vector<Course> courses;
-  order.course = [&](const Course& course) { courses.push_back(course); };
+  std::vector<TaskProgress> steps;
+  order.progressed = [&](const TaskProgress& progress) { steps.push_back(progress); };
   order.job = [](campaign::Job job, std::uint64_t) {
     ADD_FAILURE() << "a match is to be played";
     return job;
   };
   EXPECT_EQ(play_slice(study, known, part, order), campaign::Finish::complete);
-  ASSERT_EQ(courses.size(), 3u);
-  EXPECT_EQ(courses.back().done, 3u);
-  EXPECT_EQ(courses.back().all, 3u);
-  EXPECT_EQ(courses.back().fresh, 0u);
-  EXPECT_TRUE(courses.back().ended);
-  EXPECT_FALSE(courses.front().ended);
+  ASSERT_EQ(steps.size(), 3u);
+  EXPECT_EQ(steps.back().done, 3u);
+  EXPECT_EQ(steps.back().all, 3u);
+  EXPECT_EQ(steps.back().fresh, 0u);
+  EXPECT_TRUE(steps.back().ended);
+  EXPECT_FALSE(steps.front().ended);
 }
 
 TEST_F(SliceTest, OfALaterRoundNeedsTheEarlierOnes) {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
 #include "campaign/store.hpp"
 #include "study/study.hpp"
 
@@ -43,7 +43,7 @@ class TwoRounds : public study::Study {
       };
       round.first_of_pairing = [first](std::uint64_t index) { return first == 0 && index == 0; };
       round.job = [](std::uint64_t) { return campaign::Job(); };
-      round.take = [this, &more](std::uint64_t, const campaign::Decided*) { return more = ++taken_ < enough_; };
+      round.take = [this, &more](std::uint64_t, const campaign::MatchResult*) { return more = ++taken_ < enough_; };
       play(round);
       if (!more) return;
       first += matches;
@@ -57,7 +57,7 @@ class TwoRounds : public study::Study {
   std::string folder_ = "/";
 };
 
-inline campaign::Decided match() {
+inline campaign::MatchResult match() {
   return {{1, 0}, "full_time", "h", campaign::metrics_from_json("{}"), std::nullopt, 1.0};
 }
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "config/bad_input.hpp"
+#include "config/errors.hpp"
 
 namespace regista::command {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "command/help_text.hpp"
+#include "command/options_declared.hpp"
 
 #include <gtest/gtest.h>
 

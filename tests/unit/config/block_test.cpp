@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/block.hpp"
+#include "config/node.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "config/load.hpp"
+#include "config/overlay.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "config/overlay.hpp"
 #include "config/parse.hpp"
 #include "testing.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Mistakes are planted in sound documents, each in a line of its own. What a reader that stops at the first one says of
 // each alone is the truth; the reader that goes on must say exactly that of all together, in the order of the lines.
-#include "config/mistakes.hpp"
+#include "config/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 
 #include "config/documents.hpp"
 #include "config/parse.hpp"
-#include "config/team_size.hpp"
+#include "config/team_check.hpp"
 #include "testing.hpp"
 
 namespace regista::config {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/packet_share.hpp"
+#include "config/rules.hpp"
 
 #include "config/documents.hpp"
 #include "testing.hpp"

@@ -23,7 +23,7 @@ static std::vector<PluginDeclaration> fixture_plugins() {
       {"ball_lost", "context", "", {{"after", Type::real, 0, 60, "s", "unseen", 5}}},
       {"voronoi", "positioner", "", {{"merge", Type::real, 0, 5, "m", "nearer nodes", 0.5}}},
       {"distance", "utility", "", {}},
-      {"persistence", "utility", "", {{.name = "rows", .type = Type::choice, .choices = {"own", "all"}}}},
+      {"persistence", "utility", "", {{.name = "for_robots", .type = Type::choice, .choices = {"own", "all"}}}},
       {"waypoint_proximity", "utility", "", {}},
       {"greedy", "assigner", "", {}},
       {"event_based",

@@ -149,7 +149,7 @@ for path, value in [
     (["assigner", "plugin"], "gredy"), (["assigner", "plugin"], "voronoi"), (["assigner", "params"], {"x": 1}),
     (["sender", "params", "reserve"], 1.5), (["sender", "params", "reserve"], -1),
     (["sender", "params", "period"], "4 s"),
-    (["sender", "params", "whistle"], 1), (["utility", "terms", "persistence", "params", "rows"], "none"),
+    (["sender", "params", "whistle"], 1), (["utility", "terms", "persistence", "params", "for_robots"], "none"),
     (["contexts", 1, "params", "after"], 61),
 ]:
     document = changed(documents["team"], path, value)

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "config/documents.hpp"
-#include "config/flow.hpp"
+#include "config/node.hpp"
 #include "config/parse.hpp"
 #include "testing.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/team_size.hpp"
+#include "config/team_check.hpp"
 
 #include "config/documents.hpp"
 #include "config/parse.hpp"

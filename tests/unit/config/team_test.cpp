@@ -59,7 +59,7 @@ TEST(Team, ReadsEveryKeyOfThePage) {
   EXPECT_EQ(defender.target.without_ball->point, (std::array{-3.0, 1.0}));
   EXPECT_EQ(to_string(defender.where), fixture.string() + ":22:7");
 
-  EXPECT_EQ(*jolly.target.across, 0.8);
+  EXPECT_EQ(*jolly.target.lateral, 0.8);
   EXPECT_EQ(jolly.target.facing.anchor, Anchor::opponent_goal);
   EXPECT_EQ(jolly.behaviour, "support") << "moved away from the ball";
   EXPECT_EQ(team.role_lists[1].roles[1].behaviour, "search");
@@ -92,7 +92,7 @@ TEST(Team, EveryContextHasItsOwnValues) {
   EXPECT_EQ(playing.terms[0].name, "distance");
   EXPECT_EQ(playing.terms[0].weight, 0.7);
   EXPECT_EQ(*playing.terms[0].tune, (std::array{0.0, 1.0}));
-  EXPECT_EQ(playing.terms[1].use.params["rows"].text(), "all");
+  EXPECT_EQ(playing.terms[1].use.params["for_robots"].text(), "all");
   EXPECT_FALSE(playing.terms[2].tune);
   EXPECT_EQ(playing.assigner.plugin, "greedy");
   EXPECT_FALSE(playing.sender.params["period"]);
@@ -181,7 +181,7 @@ TEST(Team, AContextMovesRoles) {
       "team: t\n"
       "predictors: {self: {plugin: a}, ball: {plugin: b}, opponents: {plugin: c}, teammates: {plugin: d}}\n"
       "contexts:\n"
-      "  - {name: corner, priority: 2, plugin: a, use: {roles: other, targets: {wing: {at: [3, 0], across: -1}}}}\n"
+      "  - {name: corner, priority: 2, plugin: a, use: {roles: other, targets: {wing: {at: [3, 0], lateral: -1}}}}\n"
       "  - {name: short, priority: 1, plugin: a, use: {targets.wing: {at: ball}, targets.striker.at: own_goal}}\n"
       "  - {name: playing, plugin: always}\n"
       "assigner: {plugin: greedy}\nsender: {plugin: event_based}\n"
@@ -195,7 +195,7 @@ TEST(Team, AContextMovesRoles) {
   };
   EXPECT_EQ(target(0, 0).at->anchor, Anchor::own_goal);
   EXPECT_EQ(target(0, 1).at->point[0], 3.0);
-  EXPECT_EQ(*target(0, 1).across, -1.0);
+  EXPECT_EQ(*target(0, 1).lateral, -1.0);
   EXPECT_EQ(target(0, 1).shift[0], 0.0) << "nothing is left of its own target";
   EXPECT_EQ(target(1, 0).at->anchor, Anchor::own_goal);
   EXPECT_EQ(target(1, 1).shift[0], 0.0);
@@ -350,8 +350,8 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:6:56: roles.playing.0.target.within: 2 elements; expected a list of 4 numbers"},
       {6, "roles: {playing: [{name: s, target: {at: ball, shift: 1}}]}",
        "t.yaml:6:55: roles.playing.0.target.shift: \"1\"; expected a list of 2 numbers"},
-      {6, "roles: {playing: [{name: s, target: {at: ball, across: -101}}]}",
-       "t.yaml:6:56: roles.playing.0.target.across: \"-101\" is outside -100 to 100 m"},
+      {6, "roles: {playing: [{name: s, target: {at: ball, lateral: -101}}]}",
+       "t.yaml:6:57: roles.playing.0.target.lateral: \"-101\" is outside -100 to 100 m"},
       // Utility
       {0, "utility: {terms: {d: {plugin: x, weight: -1}}}",
        "t.yaml:7:42: utility.terms.d.weight: \"-1\" is outside 0 to 1000000"},
@@ -359,6 +359,8 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:7:42: utility.terms.d.weight: \".nan\" is not finite"},
       {0, "utility: {terms: {d: {plugin: x, tune: [1, 0]}}}", "t.yaml:7:40: utility.terms.d.tune: 1 is more than 0"},
       {0, "utility: {terms: {d: {weight: 1}}}", "t.yaml:7:22: missing key \"plugin\" in utility.terms.d"},
+      {0, "utility: {terms: {distance: {plugin: distance, weight: 1}, distnace: {weight: 1}}}",
+       "t.yaml:7:60: unknown name \"distnace\" in utility.terms; nearest: \"distance\"; known: distance"},
       {0, "utility: {terms: [a]}", "t.yaml:7:18: utility.terms: a list; expected a map"},
       {0, "utility: {terms: {d: {plugin: x}, d: {plugin: y}}}", "t.yaml:7:35: duplicate key \"d\"; first in line 7"},
   };

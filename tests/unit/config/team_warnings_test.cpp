@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "config/team_warnings.hpp"
+#include "config/team_check.hpp"
 
 #include <fmt/format.h>
 
@@ -114,8 +114,8 @@ TEST(TeamWarnings, TargetsOffTheField) {
   };
   EXPECT_EQ(of_third("name: r, target: {at: [-42, 0]}"), off(30, "at", "[-42, 0] is"));
   EXPECT_EQ(of_third("name: r, target: {at: [5, 0], shift: [1, 0]}"), off(30, "at", "[6, 0] is"));
-  EXPECT_EQ(of_third("name: r, target: {at: ball, across: 30}"), off(44, "across", "30 is"));
-  EXPECT_EQ(of_third("name: r, target: {at: ball, across: -30}"), off(44, "across", "-30 is"));
+  EXPECT_EQ(of_third("name: r, target: {at: ball, lateral: 30}"), off(45, "lateral", "30 is"));
+  EXPECT_EQ(of_third("name: r, target: {at: ball, lateral: -30}"), off(45, "lateral", "-30 is"));
   EXPECT_EQ(of_third("name: r, target: {at: ball, within: [6, 7, 0, 1]}"),
             off(44, "within", "all of the rectangle is"));
   EXPECT_EQ(of_third("name: r, target: {at: centre, without_ball: [0, 4]}"), off(52, "without_ball", "[0, 4] is"));

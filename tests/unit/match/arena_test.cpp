@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The physical world against closed forms: rolling, bouncing, walking speed, and what must never happen.
-#include "match/arena.hpp"
+#include "match/physics_world.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@ namespace {
 const config::FieldSize field;
 const config::BallSize ball_size;
 
-Arena arena_with(int robots) {
+PhysicsWorld arena_with(int robots) {
   const std::vector<config::Body> bodies(static_cast<std::size_t>(robots));
-  Arena arena(field, ball_size, bodies);
+  PhysicsWorld arena(field, ball_size, bodies);
   for (int id = 0; id < robots; ++id) arena.place(id, {-4.0 + 0.5 * id, 2.5, 0.0});
   return arena;
 }
@@ -28,7 +28,7 @@ class Rolling : public testing::TestWithParam<double> {};
 
 // v^2 / (2 a) within 2 %, and it comes to rest.
 TEST_P(Rolling, GoesAsFarAsUniformDecelerationSays) {
-  Arena arena = arena_with(0);
+  PhysicsWorld arena = arena_with(0);
   arena.place_ball({-4.0, 0.0});
   arena.kick({GetParam(), 0.0});
   for (int step = 0; step < 1000; ++step) arena.step();
@@ -39,8 +39,8 @@ TEST_P(Rolling, GoesAsFarAsUniformDecelerationSays) {
 }
 INSTANTIATE_TEST_SUITE_P(Speeds, Rolling, testing::Values(0.2, 0.5, 0.8, 0.98, 1.3, 1.64, 1.8));
 
-TEST(Arena, BallBouncesOffAPostAndARobot) {
-  Arena arena = arena_with(1);
+TEST(PhysicsWorld, BallBouncesOffAPostAndARobot) {
+  PhysicsWorld arena = arena_with(1);
   arena.place_ball({3.9, 0.8});
   arena.kick({1.5, 0.0});
   while (arena.ball().vx > 0.0f) {
@@ -63,8 +63,8 @@ TEST(Arena, BallBouncesOffAPostAndARobot) {
   EXPECT_LT(arena.ball().vx, 0.0f);
 }
 
-TEST(Arena, GoalNetAndBorderHoldTheBall) {
-  Arena arena = arena_with(0);
+TEST(PhysicsWorld, GoalNetAndBorderHoldTheBall) {
+  PhysicsWorld arena = arena_with(0);
   arena.place_ball({3.0, 0.2});
   arena.kick({3.0, 0.3});
   for (int step = 0; step < 300; ++step) arena.step();
@@ -80,8 +80,8 @@ TEST(Arena, GoalNetAndBorderHoldTheBall) {
   }
 }
 
-TEST(Arena, ReportsWhoTouchesWhom) {
-  Arena arena = arena_with(3);
+TEST(PhysicsWorld, ReportsWhoTouchesWhom) {
+  PhysicsWorld arena = arena_with(3);
   arena.place(0, {0.0, 0.0, 0.0});
   arena.place(1, {0.5, 0.0, 0.0});
   arena.place(2, {0.0, 2.0, 0.0});
@@ -98,8 +98,8 @@ TEST(Arena, ReportsWhoTouchesWhom) {
   EXPECT_GT(arena.robot(1).x, 0.5f);  // pushed
 }
 
-TEST(Arena, ARobotReachesItsSpeedAtItsAcceleration) {
-  Arena arena = arena_with(1);
+TEST(PhysicsWorld, ARobotReachesItsSpeedAtItsAcceleration) {
+  PhysicsWorld arena = arena_with(1);
   arena.place(0, {0.0, 0.0, 0.0});
   arena.place_ball({0.0, 2.0});
   for (int step = 0; step < 10; ++step) {  // 0.2 s at 0.5 m/s^2
@@ -116,8 +116,8 @@ TEST(Arena, ARobotReachesItsSpeedAtItsAcceleration) {
   EXPECT_NEAR(arena.robot(0).turn, 1.5, 1e-4);
 }
 
-TEST(Arena, RefusesWhatIsNotFiniteAndNamesTheBody) {
-  Arena arena = arena_with(2);
+TEST(PhysicsWorld, RefusesWhatIsNotFiniteAndNamesTheBody) {
+  PhysicsWorld arena = arena_with(2);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto message = [](auto action) -> std::string {
     try {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "match/arena.hpp"
+#include "match/physics_world.hpp"
 #include "process/sanitized.hpp"
 #include "scripted.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Streams of chance against the published vectors of Philox, and against the moments of their laws.
-#include "match/noise.hpp"
+#include "match/chance.hpp"
 
 #include <gtest/gtest.h>
 

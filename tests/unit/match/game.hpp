@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "match/arena.hpp"
+#include "match/physics_world.hpp"
 #include "match/referee.hpp"
 
 namespace regista::match {

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "match/replay.hpp"
+#include "match/physics_world.hpp"
 #include "scripted.hpp"
 
 namespace regista::match {

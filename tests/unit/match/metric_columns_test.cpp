@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "match/metric_columns.hpp"
+#include "match/metric_numbers.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Agreement, step by step, of three robots whose samples can be counted.
-#include "match/metrics_agreement.hpp"
+#include "match/metrics_coordination.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who is at the ball, in scenes of three against three. Home 1..3 are 0..2, away 1..3 are 3..5, the ball is 6.
-#include "match/metrics_ball.hpp"
+#include "match/metrics_play.hpp"
 
 #include <gtest/gtest.h>
 

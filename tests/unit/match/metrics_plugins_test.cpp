@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Numbers of plugins: how reports of several robots become one number of a match, and under which names it is found.
-#include "match/metrics_plugins.hpp"
+#include "match/metrics.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The measures of coordination on courses that can be counted by hand.
-#include "match/metrics_roles.hpp"
+#include "match/metrics_coordination.hpp"
 
 #include <gtest/gtest.h>
 

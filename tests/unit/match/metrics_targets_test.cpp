@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Distances between targets on triangles of known sides.
-#include "match/metrics_targets.hpp"
+#include "match/metrics_coordination.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Tenures whose lengths are written down, and their quantiles beside those of the house's statistics.
-#include "match/metrics_tenure.hpp"
+#include "match/metrics_coordination.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "statistics/quantile.hpp"
+#include "statistics/moments.hpp"
 
 namespace regista::match {
 namespace {

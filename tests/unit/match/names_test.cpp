@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "match/names.hpp"
+#include "match/game_state.hpp"
 
 #include <gtest/gtest.h>
 #include <regista/abi.h>
 
 #include <set>
 
-#include "plugin/event_names.hpp"
+#include "match/metrics_coordination.hpp"
+#include "plugin/description.hpp"
 
 namespace regista::match {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "match/match.hpp"
+#include "match/physics_world.hpp"
 #include "match/referee.hpp"
-#include "match/replay.hpp"
 #include "scripted.hpp"
 
 namespace regista::match {

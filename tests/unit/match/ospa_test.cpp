@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // OSPA against closed forms, the axioms of a metric, and all assignments tried one by one.
-#include "match/ospa.hpp"
+#include "match/metrics_world.hpp"
 
 #include <gtest/gtest.h>
 

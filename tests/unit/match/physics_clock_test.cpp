@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Box2D, as the program is linked with it, reads no clock: see the end of host/match/arena.cpp.
+// Box2D, as the program is linked with it, reads no clock: see the end of host/match/physics_world.cpp.
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 

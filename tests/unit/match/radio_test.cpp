@@ -7,21 +7,21 @@
 #include <cmath>
 #include <vector>
 
-#include "match/arena.hpp"
+#include "match/physics_world.hpp"
 
 namespace regista::match {
 namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Trouble none(int team_size) {
+Disturbances none(int team_size) {
   static const config::Disturbance disturbance;
-  return Trouble(disturbance, {}, team_size, 1, Side::home);
+  return Disturbances(disturbance, {}, team_size, 1, Side::home);
 }
 
 TEST(Radio, DelaysWithinItsBoundsAndSparesTheSender) {
   const config::Radio profile{0.05, 0.1, 0.0};
-  const Trouble trouble = none(5);
+  const Disturbances trouble = none(5);
   Radio radio(profile, trouble, 5, 1, Side::home);
   std::vector<mind::HeardPacket> heard;
   double least = 1.0, largest = 0.0;
@@ -58,7 +58,7 @@ TEST(Radio, LosesByBothCauses) {
   config::Disturbance disturbance;
   disturbance.radio.loss = 0.5;
   disturbance.radio.delay = 0.2;
-  const Trouble trouble(disturbance, {}, 3, 1, Side::away);
+  const Disturbances trouble(disturbance, {}, 3, 1, Side::away);
   Radio radio({0.05, 0.0, 0.2}, trouble, 3, 1, Side::away);
   std::vector<mind::HeardPacket> heard;
   int first = 0, both = 0;
@@ -88,7 +88,7 @@ TEST(Radio, ARobotsOwnDelayIsOfWhatItSendsAndOfWhatItHears) {
   slow.robots = {config::Incident::Whom::Choice::listed, {2}};
   slow.at = {0.0};
   slow.delay = 0.5;
-  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 3, 1, Side::home);
   trouble.update(0.0);
   const auto heard_after = [&](int sender, int receiver) {
     Radio radio({0.1, 0.0, 0.0}, trouble, 3, 1, Side::home);
@@ -103,7 +103,7 @@ TEST(Radio, ARobotsOwnDelayIsOfWhatItSendsAndOfWhatItHears) {
 }
 
 TEST(Radio, OrdersByTimeHeardThenSender) {
-  const Trouble trouble = none(4);
+  const Disturbances trouble = none(4);
   Radio radio({0.1, 0.0, 0.0}, trouble, 4, 1, Side::home);
   radio.send(4, Bytes{4}, 0.0, 0);
   radio.send(2, Bytes{2}, 0.0, 0);
@@ -121,7 +121,7 @@ TEST(Radio, OrdersByTimeHeardThenSender) {
 }
 
 TEST(Radio, NothingIsHeardInTheTickOfSending) {
-  const Trouble trouble = none(2);
+  const Disturbances trouble = none(2);
   Radio radio({0.0, 0.0, 0.0}, trouble, 2, 1, Side::home);
   radio.send(1, Bytes{1}, 0.0, 0);
   std::vector<mind::HeardPacket> heard;

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "match/geometry.hpp"
 #include "match/match.hpp"
+#include "match/plane.hpp"
 
 namespace regista::match::scripted {
 

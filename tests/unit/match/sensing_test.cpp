@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "match/chance.hpp"
-#include "mind/landmarks.hpp"
+#include "mind/team_plan.hpp"
 
 namespace regista::match {
 namespace {
@@ -32,7 +32,7 @@ struct Scene {
   config::Disturbance disturbance;
   config::FieldSize field;
   Roster roster{2};
-  Trouble trouble{disturbance, field, roster.team_size, 1, Side::home};
+  Disturbances trouble{disturbance, field, roster.team_size, 1, Side::home};
   Points robots;
   BodyState own = standing(0.0, 0.0, 0.0);
   Vector ball{100.0, 0.0};
@@ -341,7 +341,7 @@ void look_disturbed(const config::Disturbance& disturbance, const BodyState& own
                     Each each) {
   Scene scene;
   const Marks marks(scene.field, scene.profile.camera);
-  Trouble trouble(disturbance, scene.field, scene.roster.team_size, 1, Side::home);
+  Disturbances trouble(disturbance, scene.field, scene.roster.team_size, 1, Side::home);
   trouble.update(0.0);
   Sensing sensing(scene.profile, trouble, marks, scene.roster, 0, 1, 0.15);
   sensing.put_down({own.x, own.y, own.heading}, direction, 0);

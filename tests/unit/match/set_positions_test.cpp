@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "match/set_positions.hpp"
+#include "match/placement.hpp"
 
 #include <gtest/gtest.h>
 

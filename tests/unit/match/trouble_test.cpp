@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Troubles against the laws they are declared by, and against what a match would be without them.
-#include "match/trouble.hpp"
+#include "match/disturbances.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <map>
 #include <vector>
 
-#include "match/arena.hpp"
 #include "match/digest.hpp"
+#include "match/physics_world.hpp"
 #include "match/radio.hpp"
 #include "scripted.hpp"
 
@@ -36,7 +36,7 @@ Incident incident(Kind kind, double at, std::vector<int> robots = {}) {
 TEST(BurstLoss, HasTheShareAndTheLengthsOfItsLaw) {
   Disturbance disturbance;
   disturbance.radio.burst = {4.5, 3.0, 1.0};
-  Trouble trouble(disturbance, {}, 2, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 2, 1, Side::home);
   Radio radio({0.0, 0.0, 0.0}, trouble, 2, 1, Side::home);
   constexpr double hours = 6.0;
   constexpr auto ticks = static_cast<std::uint32_t>(hours * 3600.0 / physics_step);
@@ -69,7 +69,7 @@ TEST(BurstLoss, HasTheShareAndTheLengthsOfItsLaw) {
 TEST(BurstLoss, LosesItsShareWithinABurst) {
   Disturbance disturbance;
   disturbance.radio.burst = {0.01, 1e6, 0.3};  // always within one
-  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 3, 1, Side::home);
   Radio radio({0.0, 0.0, 0.0}, trouble, 3, 1, Side::home);
   std::vector<mind::HeardPacket> heard;
   const std::vector<std::uint8_t> packet{1};
@@ -94,7 +94,7 @@ TEST(AtRandom, IsAPoissonProcessThatStrikesAllAlike) {
   blind.per_hour = 360.0;
   blind.duration = 0.1;
   disturbance.incidents = {blind};
-  Trouble trouble(disturbance, {}, 5, 7, Side::away);
+  Disturbances trouble(disturbance, {}, 5, 7, Side::away);
   std::vector<double> times;
   std::vector<int> struck(5);
   for (std::uint32_t tick = 0; tick < 100u * 3600u * 50u; ++tick) {
@@ -122,7 +122,7 @@ TEST(AtItsTime, BeginsAndEnds) {
   disturbance.incidents[0].at = {1.0, 5.0};
   disturbance.incidents[0].duration = 2.0;
   disturbance.incidents[1].speed = 0.5;
-  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 3, 1, Side::home);
   for (std::uint32_t tick = 0; tick <= 500; ++tick) {
     trouble.update(tick * physics_step);
     const bool during = (tick >= 50 && tick < 150) || (tick >= 250 && tick < 350);
@@ -135,7 +135,7 @@ TEST(AtItsTime, BeginsAndEnds) {
 TEST(Silence, IsTotalForWhomItStrikes) {
   Disturbance disturbance;
   disturbance.incidents = {incident(Kind::radio_silence, 0.0, {2})};
-  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 3, 1, Side::home);
   trouble.update(0.0);
   Radio radio({0.0, 0.0, 0.0}, trouble, 3, 1, Side::home);
   std::vector<mind::HeardPacket> heard;
@@ -157,7 +157,7 @@ TEST(Silence, ReachesWhatIsUnderWay) {
   Disturbance disturbance;
   disturbance.incidents = {incident(Kind::radio_silence, 1.0, {2})};
   disturbance.incidents[0].duration = 5.0;
-  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 3, 1, Side::home);
   trouble.update(0.0);
   Radio radio({2.0, 0.0, 0.0}, trouble, 3, 1, Side::home);
   radio.send(1, std::vector<std::uint8_t>{1}, 0.0, 0);
@@ -193,7 +193,7 @@ TEST(DelayAndJitter, CountOnceForAPacketBetweenTwoThatSuffer) {
   disturbance.incidents = {incident(Kind::radio_delay, 0.0, {1, 2}), incident(Kind::radio_jitter, 0.0, {2})};
   disturbance.incidents[0].delay = 1.0;
   disturbance.incidents[1].jitter = 0.5;
-  Trouble trouble(disturbance, {}, 3, 1, Side::home);
+  Disturbances trouble(disturbance, {}, 3, 1, Side::home);
   trouble.update(0.0);
   Radio radio({0.1, 0.0, 0.0}, trouble, 3, 1, Side::home);
   std::vector<mind::HeardPacket> heard;

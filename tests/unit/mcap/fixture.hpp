@@ -17,7 +17,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mcap/error.hpp"
+#include "mcap/file_io.hpp"
 #include "mcap/reader.hpp"
 #include "mcap/writer.hpp"
 #include "unit/mcap/example.hpp"

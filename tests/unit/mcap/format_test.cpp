@@ -4,10 +4,7 @@
 
 #include <string>
 
-#include "mcap/checksum.hpp"
-#include "mcap/decode.hpp"
-#include "mcap/encode.hpp"
-#include "mcap/utf8.hpp"
+#include "mcap/encoding.hpp"
 
 namespace regista::mcap {
 namespace {
@@ -63,7 +60,7 @@ TEST(Encode, RecordsAsTheSpecificationLaysThemOut) {
 TEST(Decode, IgnoresFieldsThatALaterVersionAdds) {
   std::string bytes;
   append_record(bytes, Channel{ChannelId{3}, SchemaId::none, "/t", "json"});
-  const Channel channel = decode_channel(bytes.substr(record_prefix) + "more");
+  const Channel channel = decode<Channel>(bytes.substr(record_prefix) + "more");
   EXPECT_EQ(channel.topic, "/t");
 }
 
@@ -78,13 +75,13 @@ TEST(Decode, RefusesEveryRecordThatEndsTooEarly) {
           << what << ", " << length << " bytes";
     }
   };
-  refuses_shorter(Header{"library"}, decode_header, "header");
-  refuses_shorter(Schema{SchemaId{1}, "name", "encoding", "data"}, decode_schema, "schema");
-  refuses_shorter(Channel{ChannelId{1}, SchemaId{1}, "topic", "json"}, decode_channel, "channel");
-  refuses_shorter(Metadata{"name", {{"key", "value"}}}, decode_metadata, "metadata");
-  refuses_shorter(ChunkIndex{1, 2, 3, 4, {{ChannelId{1}, 5}}, 6, "zstd", 7, 8}, decode_chunk_index, "chunk index");
-  refuses_shorter(MetadataIndex{1, 2, "name"}, decode_metadata_index, "metadata index");
-  refuses_shorter(Statistics{1, 2, 3, 4, 5, 6, 7, {{ChannelId{1}, 1}}}, decode_statistics, "statistics");
+  refuses_shorter(Header{"library"}, decode<Header>, "header");
+  refuses_shorter(Schema{SchemaId{1}, "name", "encoding", "data"}, decode<Schema>, "schema");
+  refuses_shorter(Channel{ChannelId{1}, SchemaId{1}, "topic", "json"}, decode<Channel>, "channel");
+  refuses_shorter(Metadata{"name", {{"key", "value"}}}, decode<Metadata>, "metadata");
+  refuses_shorter(ChunkIndex{1, 2, 3, 4, {{ChannelId{1}, 5}}, 6, "zstd", 7, 8}, decode<ChunkIndex>, "chunk index");
+  refuses_shorter(MetadataIndex{1, 2, "name"}, decode<MetadataIndex>, "metadata index");
+  refuses_shorter(Statistics{1, 2, 3, 4, 5, 6, 7, {{ChannelId{1}, 1}}}, decode<Statistics>, "statistics");
 }
 
 TEST(Utf8, TakesWhatRfc3629TakesAndNothingElse) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "mcap/encode.hpp"
+#include "mcap/encoding.hpp"
 #include "unit/mcap/fixture.hpp"
 
 #if defined(__has_feature)

@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
-// A recording with uncompressed chunks, as other writers may leave them. Ours has none, but its reader takes them, and
-// without a compression in between a changed byte reaches what a chunk holds.
+// A recording with chunks as other writers may leave them. Without a compression in between a changed byte reaches what
+// a chunk holds.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "mcap/checksum.hpp"
-#include "mcap/compression.hpp"
-#include "mcap/decode.hpp"
-#include "mcap/encode.hpp"
+#include "mcap/encoding.hpp"
 
 namespace regista::mcap {
 
+// How a chunk's records are stored, and the name of that.
+struct Packing {
+  std::string name;
+  std::function<std::string(const std::string& records)> pack;
+};
+
 // `bytes` are a whole file of our writer.
-inline std::string with_plain_chunks(std::string_view bytes) {
+inline std::string with_packed_chunks(std::string_view bytes, const Packing& packing) {
   Decompressor decompressor;
   std::string out(magic), records;
   std::vector<ChunkIndex> chunks;
@@ -37,20 +41,23 @@ inline std::string with_plain_chunks(std::string_view bytes) {
     } else if (record.opcode == Opcode::chunk) {
       const Chunk chunk = decode_chunk(record.content);
       decompressor.decompress(chunk.records, chunk.uncompressed_size, records);
+      const std::string packed = packing.pack(records);
       ChunkIndex& index = chunks.emplace_back();
       index.first_time = chunk.first_time;
       index.last_time = chunk.last_time;
       index.offset = out.size();
-      index.compressed_size = index.uncompressed_size = records.size();
-      index.length =
-          record.content.size() + record_prefix - chunk.compression.size() - chunk.records.size() + records.size();
+      index.compression = packing.name;
+      index.compressed_size = packed.size();
+      index.uncompressed_size = records.size();
+      index.length = record_prefix + record.content.size() - chunk.compression.size() - chunk.records.size() +
+                     packing.name.size() + packed.size();
       append_chunk_fields(out, index, chunk.checksum);
-      out += records;
+      out += packed;
     } else {
       if (record.opcode == Opcode::metadata) {
-        metadata.push_back({out.size(), as_it_was.size(), decode_metadata(record.content).name});
+        metadata.push_back({out.size(), as_it_was.size(), decode<Metadata>(record.content).name});
       } else if (record.opcode == Opcode::message_index) {
-        const auto channel = static_cast<ChannelId>(Decoder(record.content).u16());
+        const auto channel = Decoder(record.content).next<ChannelId>();
         chunks.back().message_indexes.emplace_back(channel, out.size());
         chunks.back().message_index_length += as_it_was.size();
       }
@@ -62,6 +69,10 @@ inline std::string with_plain_chunks(std::string_view bytes) {
   append_footer_fields(out, summary_start, 0);
   append_integer(out, checksum(std::string_view(out).substr(summary_start)));
   return out.append(magic);
+}
+
+inline std::string with_plain_chunks(std::string_view bytes) {
+  return with_packed_chunks(bytes, {"", [](const std::string& records) { return records; }});
 }
 
 }  // namespace regista::mcap

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <random>
 
-#include "mcap/checksum.hpp"
+#include "mcap/encoding.hpp"
 #include "unit/mcap/fixture.hpp"
 
 namespace regista::mcap {
@@ -41,11 +41,12 @@ TEST_P(RoundTrip, GivesBackWhatWasWritten) {
   const Summary summary = summary_of(path("a.mcap"));
   EXPECT_EQ(summary.schemas, example.schemas);
   Decoder in(std::string_view(bytes).substr(magic.size()));
-  EXPECT_EQ(decode_header(take_record(in).content).library, GetParam().library);
+  EXPECT_EQ(decode<Header>(take_record(in).content).library, GetParam().library);
   Decoder end(std::string_view(bytes).substr(summary.data_end));
   const RawRecord data_end = take_record(end);
   EXPECT_EQ(data_end.opcode, Opcode::data_end);
-  EXPECT_EQ(Decoder(data_end.content).u32(), checksum(std::string_view(bytes).substr(0, summary.data_end)));
+  EXPECT_EQ(Decoder(data_end.content).next<std::uint32_t>(),
+            checksum(std::string_view(bytes).substr(0, summary.data_end)));
 }
 
 TEST_P(RoundTrip, CountsInItsStatistics) {

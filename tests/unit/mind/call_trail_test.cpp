@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two minds that were told the same answer the same, call for call; told something else, the first answer that differs
 // is that of the plugin that uses it.
-#include "plugin/call_trail.hpp"
+#include "plugin/call_inputs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace {
 plugin::CallTrail answers(const TeamPlan& plan, const std::function<void(Percepts&)>& change) {
   plugin::CallNote note;
   plugin::CallTrail trail;
-  Mind mind(plan, 3, 7, {&note, 0, plugin::Look::always, &trail});
+  Mind mind(plan, 3, 7, {&note, 0, plugin::Inspection::always, &trail});
   Outcome outcome;
   Percepts given = percepts(1.0);
   given.placed = placed(-1.0, 1.0);

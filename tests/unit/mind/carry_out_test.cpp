@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // From actions to commands: each motion and mark of abi.h does what is said there.
-#include "mind/body/carry_out.hpp"
+#include "mind/body/walking.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "mind/body/walking.hpp"
 
 namespace regista::mind {
 namespace {

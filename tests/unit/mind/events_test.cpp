@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Each event when it should, and only then. What happens in a moment is told once; what lasts (the team's belief is
 // wrong) is told until a packet has mended it.
-#include "mind/coordination/events.hpp"
+#include "mind/coordination/coordination.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Contexts that may never be in force, of windows of time, which hold when their parameters say so.
-#include "mind/coordination/idle_contexts.hpp"
+#include "mind/coordination/unused_parts.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Terms that change nothing, of stubs whose effect is known: `flat` says the same of all robots; `in_order` compares
 // robots task by task; `largest_first` begins with the largest number of all, and so heeds what a whole column gets.
-#include "mind/coordination/idle_terms.hpp"
+#include "mind/coordination/unused_parts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Offers from a plugin to a packet, and segments from a packet to a plugin: every way an offer can end, exactly once,
 // and never within one of the plugin's own calls.
-#include "mind/world/mailbox.hpp"
+#include "mind/world/mailboxes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -326,7 +326,7 @@ class JournalTest : public MailboxTest {
     }
     return out;
   }
-  static std::vector<std::uint32_t> counted(Robot& robot) {
+  static std::vector<std::uint32_t> plural(Robot& robot) {
     const SegmentCounts counts = robot.mailboxes.take_counts();
     return {counts.offered, counts.refused, counts.sent, counts.dropped, counts.heard, counts.bytes};
   }
@@ -351,15 +351,15 @@ TEST_F(JournalTest, FollowsEachOfferToItsEnd) {
   EXPECT_EQ(std::tuple(offered.time, offered.place, offered.urgency, offered.expiry), std::tuple(1.0, 0, 0.5, 3.0));
   EXPECT_STREQ(offered.plugin, "box");
   EXPECT_EQ(offered.text, "2 bytes");
-  EXPECT_EQ(counted(robot), (Counts{4, 0, 1, 2, 0, 5}));
+  EXPECT_EQ(plural(robot), (Counts{4, 0, 1, 2, 0, 5}));
 
   robot.mailboxes.begin(2.0);
   EXPECT_EQ(told(robot), "dropped " + std::to_string(fourth) + " expired");
   EXPECT_EQ(robot.mailboxes.journal()[0].time, 2.0);
-  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 1, 0, 0}));
+  EXPECT_EQ(plural(robot), (Counts{0, 0, 0, 1, 0, 0}));
   robot.mailboxes.begin(2.1);
   EXPECT_EQ(told(robot), "");
-  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(plural(robot), (Counts{0, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(JournalTest, SaysWhichSegmentOfItsPacketItIs) {
@@ -394,7 +394,7 @@ TEST_F(JournalTest, SaysWhyAnOfferIsRefused) {
   const SegmentEvent &long_one = robot.mailboxes.journal()[0], &huge = robot.mailboxes.journal()[1];
   EXPECT_EQ(std::tuple(long_one.length, long_one.bytes.size(), long_one.text), std::tuple(72u, 72u, "72 bytes"));
   EXPECT_EQ(std::tuple(huge.length, huge.bytes.size(), huge.text), std::tuple(300u, 0u, ""));
-  EXPECT_EQ(counted(robot), (Counts{64, 5, 0, 0, 0, 0}));
+  EXPECT_EQ(plural(robot), (Counts{64, 5, 0, 0, 0, 0}));
 }
 
 TEST_F(JournalTest, SaysWhatCameAndWhatWentNowhere) {
@@ -416,7 +416,7 @@ TEST_F(JournalTest, SaysWhatCameAndWhatWentNowhere) {
   EXPECT_STREQ(journal[1].plugin, "mute");
   EXPECT_STREQ(journal[2].plugin, "");
   EXPECT_EQ(journal[3].place, -1);
-  EXPECT_EQ(counted(robot), (Counts{0, 0, 0, 0, 1, 0}));
+  EXPECT_EQ(plural(robot), (Counts{0, 0, 0, 0, 1, 0}));
 }
 
 TEST_F(JournalTest, WhatIsOfferedWhileItIsCreatedStandsWithTheFirstDecision) {
@@ -439,7 +439,7 @@ TEST_F(JournalTest, NothingIsOfferedOrWithdrawnWhileBytesAreDescribed) {
   EXPECT_EQ(told(robot), "offered 1");
   Box::in_describe = nullptr;
   EXPECT_EQ(robot.mailboxes.pending().size(), 1u);
-  EXPECT_EQ(counted(robot), (Counts{1, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(plural(robot), (Counts{1, 0, 0, 0, 0, 0}));
 }
 
 TEST_F(JournalTest, ADescriptionThatFailsIsToldAndEndsNothing) {
@@ -458,7 +458,7 @@ TEST_F(JournalTest, ADecisionIsToldUpToAThousandEvents) {
   std::uint64_t last = 0;
   for (int i = 0; i < 5000; ++i) last = robot.offer({1}, 100.0, last);
   EXPECT_EQ(robot.mailboxes.journal().size(), 1024u);
-  EXPECT_EQ(counted(robot)[0], 5000u);
+  EXPECT_EQ(plural(robot)[0], 5000u);
 }
 
 TEST_F(JournalTest, NobodyRecordsNobodyIsAsked) {
@@ -468,7 +468,7 @@ TEST_F(JournalTest, NobodyRecordsNobodyIsAsked) {
   robot.offer(Bytes(200));
   robot.mailboxes.wrong_length(4, 1.0, 1.0);
   EXPECT_EQ(told(robot), "");
-  EXPECT_EQ(counted(robot), (Counts{1, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(plural(robot), (Counts{1, 1, 0, 0, 0, 0}));
   EXPECT_EQ(Box::asked, 0);
 }
 

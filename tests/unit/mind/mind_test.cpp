@@ -8,7 +8,7 @@
 #include <string>
 #include <tuple>
 
-#include "config/packet_share.hpp"
+#include "config/rules.hpp"
 #include "mind/world/packet.hpp"
 #include "team.hpp"
 
@@ -18,8 +18,8 @@ namespace {
 // A team whose packets arrive at the next decision; nobody moves.
 class Squad {
  public:
-  explicit Squad(const TeamPlan& plan, std::vector<int> numbers, const Telling& telling = {}) {
-    for (const int number : numbers) minds_.emplace_back(plan, number, 7, plugin::Noting{}, telling);
+  explicit Squad(const TeamPlan& plan, std::vector<int> numbers, const MindOptions& telling = {}) {
+    for (const int number : numbers) minds_.emplace_back(plan, number, 7, plugin::CallTracing{}, telling);
     outcomes_.resize(minds_.size());
   }
   // Percepts of robot `index` are changed by `given`.
@@ -172,7 +172,7 @@ TEST(MindTest, OffersTravelBetweenMinds) {
 
 TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
   const auto plan = plan_of(team());
-  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, Telling{.segments = true});
+  Squad squad(*plan, {2, 3, 5}), recorded(*plan, {2, 3, 5}, MindOptions{.segments = true});
   const auto nothing = [](std::size_t, Percepts&) {};
   SegmentCounts counted, told;
   for (int k = 0; k <= 45; ++k) {
@@ -208,7 +208,7 @@ TEST(MindTest, AJournalTellsOfSegmentsAndChangesNothing) {
 
 TEST(MindTest, AJournalTellsOfSegmentsThatDoNotEndWithTheirPacket) {
   const auto plan = plan_of(team());
-  Mind mind(*plan, 3, 1, {}, Telling{.segments = true});
+  Mind mind(*plan, 3, 1, {}, MindOptions{.segments = true});
   std::vector<std::uint8_t> good, cut, own;
   encode(report(4, 0.9), good);
   append_segment({200, std::vector<std::uint8_t>{1, 2}}, good);

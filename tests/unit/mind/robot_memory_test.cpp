@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who was seen a moment ago is remembered, once, where it was on the field.
-#include "mind/body/robot_memory.hpp"
+#include "mind/body/walking.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Who is it that the eyes see, and how much better is the place known then.
-#include "mind/world/seen_teammates.hpp"
+#include "mind/world/fusion.hpp"
 
 #include <gtest/gtest.h>
 

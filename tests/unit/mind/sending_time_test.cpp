@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 // The time in which a team may still send, over a whole match as it is told.
-#include "mind/sending_time.hpp"
+#include "mind/percepts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-#include "config/packet_share.hpp"
+#include "config/rules.hpp"
 
 namespace regista::mind {
 namespace {
 
-struct Told {
+struct HeardGame {
   double sending;  // s since the match began in which a team may send
   GameTold game;
 };
 
 // A match by the second, without set plays.
-std::vector<Told> told_match(const config::Durations& durations) {
-  std::vector<Told> out;
+std::vector<HeardGame> told_match(const config::Durations& durations) {
+  std::vector<HeardGame> out;
   double sending = 0.0;
   const auto pass = [&](int half, Phase phase, double lasts, double played) {
     for (double phase_time = 0.0; phase_time <= lasts; phase_time += 1.0) {
@@ -51,8 +51,8 @@ TEST(SendingTime, IsWhatIsLeftOfReadySetAndPlay) {
     config::Rules rules;
     rules.durations = durations;
     double line = rules.messages.budget;
-    const std::vector<Told> match = told_match(durations);
-    for (const Told& each : match) {
+    const std::vector<HeardGame> match = told_match(durations);
+    for (const HeardGame& each : match) {
       const double left = sending_time_left(durations, each.game);
       EXPECT_EQ(left, config::sending_time(durations) - each.sending) << each.sending;
       const double now = config::packet_line(rules, left);

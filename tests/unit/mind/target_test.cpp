@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every rule and every anchor by numbers computed by hand. Field 9 x 6 m, goal 1.5 m, penalty mark 1.3 m from the line.
-#include "mind/coordination/target.hpp"
+#include "mind/coordination/coordination.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ class Target : public testing::Test {
     world.ball_state.velocity[0] = vx;
     world.ball_state.velocity[1] = vy;
   }
-  Vector2d at(Anchor anchor) const { return Anchors(field, 0.32, world).at({anchor, {1.25, -0.5}}); }
-  Vector2d target() const { return target_of(rule, Anchors(field, 0.32, world)); }
+  Vector2d at(Anchor anchor) const { return NamedPoints(field, 0.32, world).at({anchor, {1.25, -0.5}}); }
+  Vector2d target() const { return target_of(rule, NamedPoints(field, 0.32, world)); }
   static Place point(double x, double y) { return {Anchor::point, {x, y}}; }
   static void expect(const Vector2d& got, double x, double y) {
     EXPECT_NEAR(got.x(), x, 1e-12);
@@ -32,7 +32,7 @@ class Target : public testing::Test {
   config::TargetRule rule;
 };
 
-TEST_F(Target, Anchors) {
+TEST_F(Target, NamedPoints) {
   ball(1.0, -2.0, 0.4, 0.0);
   expect(at(Anchor::ball), 1.0, -2.0);
   expect(at(Anchor::ball_rest), 1.25, -2.0);  // v^2 / 2a = 0.16 / 0.64
@@ -140,12 +140,12 @@ TEST_F(Target, FromInsideACircleRulesThatDifferDoNotMeet) {
 TEST_F(Target, AcrossIsTheSideWhereTheBallIsNot) {
   rule.at = Place{Anchor::ball, {}};
   rule.shift = {0.7, 0.5};
-  rule.across = 0.8;
+  rule.lateral = 0.8;
   ball(1.0, 2.0);
   expect(target(), 1.7, -0.8);
   ball(1.0, -2.0);
   expect(target(), 1.7, 0.8);
-  rule.across = -0.8;  // on the ball's side
+  rule.lateral = -0.8;  // on the ball's side
   expect(target(), 1.7, -0.8);
   ball(1.0, 2.0);
   expect(target(), 1.7, 0.8);
@@ -153,7 +153,7 @@ TEST_F(Target, AcrossIsTheSideWhereTheBallIsNot) {
 
 TEST_F(Target, WithinClipsLast) {
   rule.at = Place{Anchor::ball, {}};
-  rule.across = 2.8;
+  rule.lateral = 2.8;
   rule.within = std::array<double, 4>{-4.0, 3.5, -2.5, 2.5};
   ball(4.2, -1.0);
   expect(target(), 3.5, 2.5);
@@ -170,7 +170,7 @@ TEST_F(Target, WithoutBallHoldsWhileNobodyKnowsIt) {
   world.ball_state.flags = 0;
   rule = {};
   rule.at = point(1.0, 1.0);
-  rule.across = 0.5;
+  rule.lateral = 0.5;
   expect(target(), 1.0, -0.5);  // no fallback given
   rule.without_ball = point(-2.0, 2.0);
   expect(target(), -2.0, 2.0);

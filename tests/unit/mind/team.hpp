@@ -92,7 +92,7 @@ inline Percepts percepts(double time, Phase phase = Phase::playing) {
 inline PlacedPose placed(double x, double y, double heading = 0.0) { return {{x, y, heading}, 0.05, 0.05}; }
 
 // A world model of robot `number` whose predictors are the stubs.
-inline std::unique_ptr<WorldModel> world_model(const TeamPlan& plan, int number, FrameParts made = FrameParts::all()) {
+inline std::unique_ptr<WorldModel> world_model(const TeamPlan& plan, int number, FrameParts made = {}) {
   const auto still = [&](unsigned subject) {
     return plugin::Predictor(in_process<stubs::Still, predictor>(plan.environment(number, subject)));
   };

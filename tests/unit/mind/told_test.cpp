@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // delta for one packet: what is continued, what is born, what is left out and why.
-#include "mind/world/told.hpp"
+#include "mind/world/fusion.hpp"
 
 #include <gtest/gtest.h>
 

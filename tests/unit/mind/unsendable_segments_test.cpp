@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A plugin that says more than a packet can take is found, and one that fits exactly is not.
-#include "mind/unsendable_segments.hpp"
+#include "mind/coordination/unused_parts.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
 
-#include "mind/world/mailbox.hpp"
+#include "mind/world/mailboxes.hpp"
 #include "team.hpp"
 
 namespace regista::mind {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One node for one task with the least total distance, against brute force; what belongs to somebody is left alone.
-#include "mind/coordination/waypoint_matching.hpp"
+#include "mind/coordination/task_filter.hpp"
 
 #include <gtest/gtest.h>
 

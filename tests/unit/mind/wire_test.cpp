@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What crosses between a match and minds in another process arrives bit for bit. The members are named by structured
 // bindings: one that is added to a struct and not to this test does not compile, one that is not sent is found.
-#include "mind/wire.hpp"
+#include "mind/serialization.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/assigner.hpp"
+#include "plugin/kinds.hpp"
 
 #include <gtest/gtest.h>
 

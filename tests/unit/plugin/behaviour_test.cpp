@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every promise of an action that can be broken, beside the message that names robot, tick and value.
-#include "plugin/behaviour.hpp"
+#include "plugin/kinds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <optional>
 
-#include "plugin/declared_reads.hpp"
+#include "plugin/call_inputs.hpp"
 #include "puppet.hpp"
 
 namespace regista::plugin::test {

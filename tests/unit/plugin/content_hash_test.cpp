@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/content_hash.hpp"
+#include "plugin/shared_object.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The check against Eigen's eigenvalues, on random matrices whose rank and signs are known by construction.
-#include "plugin/covariance.hpp"
+#include "plugin/predictor.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "plugin/descriptor.hpp"
 #include "puppet.hpp"
 
 namespace regista::plugin::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/floating_point_state.hpp"
+#include "plugin/process_state.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,7 @@
 #include <cstring>
 #include <limits>
 
-#include "plugin/assigner.hpp"
-#include "plugin/context.hpp"
+#include "plugin/kinds.hpp"
 #include "puppet.hpp"
 
 namespace regista::plugin::test {
@@ -105,7 +104,7 @@ TEST_F(FloatingPointStateTest, FindsUnmaskedExceptionsWithin127Decisions) {
     feenableexcept(FE_DIVBYZERO);
     return REGISTA_OK;
   };
-  AnswerRooms rooms;
+  AnswerBuffers rooms;
   Caller caller{"paper", 3, 1, {}, &rooms};
   const regista_descriptor puppet = Puppet::descriptor();
   Context context(std::make_shared<Instance>(Found{"puppet.so", &puppet}, resolve(puppet, use("puppet")), environment(),

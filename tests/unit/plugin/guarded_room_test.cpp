@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/guarded_room.hpp"
+#include "plugin/answer_buffers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,12 @@ namespace {
 
 // The bytes around an answer of three numbers.
 struct Room {
-  GuardedRoom<std::int32_t> room{10};
+  GuardedBuffer<std::int32_t> room{10};
   unsigned char* begin = reinterpret_cast<unsigned char*>(room.open(3));
   unsigned char* end = begin + 3 * sizeof(std::int32_t);
 };
 
-TEST(GuardedRoom, BeginsWithZerosAndTakesAllThatIsPromised) {
+TEST(GuardedBuffer, BeginsWithZerosAndTakesAllThatIsPromised) {
   Room wrong;
   EXPECT_TRUE(std::all_of(wrong.begin, wrong.end, [](unsigned char byte) { return byte == 0; }));
   std::fill(wrong.begin, wrong.end, 0xff);
@@ -25,7 +25,7 @@ TEST(GuardedRoom, BeginsWithZerosAndTakesAllThatIsPromised) {
 }
 
 // Whatever memory is filled with, and however far.
-TEST(GuardedRoom, FindsOverflowsOfFourToAll) {
+TEST(GuardedBuffer, FindsOverflowsOfFourToAll) {
   for (const std::size_t bytes : {4u, 5u, 8u, 12u, 24u, 100u, 255u, 256u}) {
     for (int fill = 0; fill < 256; ++fill) {
       Room behind, before;
@@ -40,7 +40,7 @@ TEST(GuardedRoom, FindsOverflowsOfFourToAll) {
 }
 
 // Every single byte of the pattern is looked at.
-TEST(GuardedRoom, FindsWhatJumpsOverTheEdges) {
+TEST(GuardedBuffer, FindsWhatJumpsOverTheEdges) {
   for (std::size_t distance = 0; distance < Guard::margin; ++distance) {
     Room behind, before;
     behind.end[distance] ^= 1;
@@ -53,8 +53,8 @@ TEST(GuardedRoom, FindsWhatJumpsOverTheEdges) {
 }
 
 // The pattern stands behind what is promised now, not behind all the memory there is.
-TEST(GuardedRoom, MovesItsEndWithThePromise) {
-  GuardedRoom<std::int32_t> room(10);
+TEST(GuardedBuffer, MovesItsEndWithThePromise) {
+  GuardedBuffer<std::int32_t> room(10);
   for (const std::size_t count : {10u, 3u, 0u, 7u, 500u, 2u}) {
     std::int32_t* const data = room.open(count);
     EXPECT_EQ(room.overflow(), Overflow::none) << count;

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A plugin that writes to what it was given to read, part by part.
-#include "plugin/inputs.hpp"
+#include "plugin/call_inputs.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <functional>
 
-#include "plugin/assigner.hpp"
-#include "plugin/context.hpp"
-#include "plugin/mailbox.hpp"
-#include "plugin/positioner.hpp"
+#include "plugin/kinds.hpp"
 #include "plugin/predictor.hpp"
-#include "plugin/sender.hpp"
-#include "plugin/utility.hpp"
 #include "puppet.hpp"
 
 namespace regista::plugin::test {
@@ -70,7 +65,7 @@ struct FullScene {
 class InputsTest : public PuppetTest {
  protected:
   static std::shared_ptr<Instance> instance(bool compares, const regista_descriptor& descriptor, unsigned subject = 0) {
-    static const Caller watched{"paper", 3, 417, {nullptr, 0, Look::always, nullptr, true}},
+    static const Caller watched{"paper", 3, 417, {nullptr, 0, Inspection::always, nullptr, true}},
         unwatched{"paper", 3, 417, {nullptr, 0}};
     const Parameters parameters = resolve(descriptor, use(descriptor.id));
     auto out = std::make_shared<Instance>(Found{"puppet.so", &descriptor}, parameters, environment(subject), nullptr,

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <memory>
 
-#include "plugin/context.hpp"
+#include "plugin/kinds.hpp"
 #include "puppet.hpp"
 
 namespace regista::plugin::test {

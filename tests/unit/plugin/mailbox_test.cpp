@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/mailbox.hpp"
+#include "plugin/kinds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "plugin/descriptor.hpp"
-#include "plugin/utility.hpp"
+#include "plugin/description.hpp"
 #include "puppet.hpp"
 #include "regista/utility.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/markdown_text.hpp"
+#include "plugin/info.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,13 +5,8 @@
 #include <array>
 #include <cstring>
 
-#include "plugin/assigner.hpp"
-#include "plugin/context.hpp"
-#include "plugin/mailbox.hpp"
-#include "plugin/positioner.hpp"
+#include "plugin/kinds.hpp"
 #include "plugin/predictor.hpp"
-#include "plugin/sender.hpp"
-#include "plugin/utility.hpp"
 #include "puppet.hpp"
 
 namespace regista::plugin::test {
@@ -35,8 +30,8 @@ class OverflowTest : public PuppetTest {
   // `run` leads to one overflow of `what` in `call`.
   template <class Run>
   static void expect(const std::string& call, const std::string& what, Run run) {
-    for (const bool closely : {false, true}) {
-      Puppet::looks_closely = closely;
+    for (const bool strict : {false, true}) {
+      Puppet::looks_closely = strict;
       for (const int size : {4, 8, 60, 256}) {
         for (const bool before : {false, true}) {
           bytes = size;
@@ -44,7 +39,7 @@ class OverflowTest : public PuppetTest {
           EXPECT_EQ(message_of(run),
                     Puppet::failure(call + ": wrote " + (before ? "before the beginning" : "past the end") +
                                     " of its answer: " + what))
-              << size << " bytes, looked at " << (closely ? "closely" : "as usual");
+              << size << " bytes, looked at " << (strict ? "closely" : "as usual");
         }
       }
     }
@@ -236,7 +231,7 @@ TEST_F(OverflowTest, BehindTheEdge) {
 // Among many calls of several plugins that share their rooms, whoever wrote pays, at once.
 TEST_F(OverflowTest, TheNextOneDoesNotPay) {
   static int when;
-  static AnswerRooms rooms;
+  static AnswerBuffers rooms;
   Caller caller{"paper", 3, 0, {}, &rooms};
   static regista_descriptor innocent, guilty;
   innocent = guilty = Puppet::descriptor();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // This program is the shared object that is looked at.
-#include "plugin/own_memory.hpp"
+#include "plugin/elf_file.hpp"
 
 #include <gtest/gtest.h>
 

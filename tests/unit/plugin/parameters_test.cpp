@@ -7,8 +7,8 @@
 #include <span>
 #include <string_view>
 
-#include "plugin/content_hash.hpp"
-#include "plugin/utility.hpp"
+#include "plugin/kinds.hpp"
+#include "plugin/shared_object.hpp"
 #include "scene.hpp"
 
 namespace regista::plugin::test {

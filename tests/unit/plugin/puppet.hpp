@@ -98,7 +98,7 @@ struct Puppet {
   static std::shared_ptr<Instance> instance(std::uint32_t subject = 0) {
     static const regista_descriptor unchanging = descriptor();
     auto out = instance_of({"puppet.so", &unchanging}, subject);
-    out->rooms().closely = looks_closely;
+    out->rooms().strict = looks_closely;
     return out;
   }
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "plugin/floating_point_state.hpp"
+#include "plugin/process_state.hpp"
 #include "scene.hpp"
 
 namespace regista::plugin::test {

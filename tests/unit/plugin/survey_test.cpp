@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files are looked at in another process: this one hears what they declare, and has loaded none of them.
-#include "plugin/survey.hpp"
+#include "plugin/shared_object.hpp"
 
 #include <dlfcn.h>
 #include <gtest/gtest.h>
@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "plugin/shared_object.hpp"
 #include "process/sanitized.hpp"
 #include "scene.hpp"
 
@@ -23,7 +22,7 @@ fs::path when_opened(const std::string& does) {
 
 bool is_loaded(const fs::path& file) { return ::dlopen(file.c_str(), RTLD_NOLOAD | RTLD_LAZY | RTLD_LOCAL) != nullptr; }
 
-std::vector<std::string> ids(const Surveyed& surveyed) {
+std::vector<std::string> ids(const ScannedFile& surveyed) {
   std::vector<std::string> out;
   for (const auto& each : surveyed.plugins) out.emplace_back(each->declared().id);
   return out;
@@ -32,7 +31,7 @@ std::vector<std::string> ids(const Surveyed& surveyed) {
 TEST(Survey, TellsWhatFilesDeclareAndLoadsNone) {
   // Not one that another test of this process may have loaded.
   const std::vector<fs::path> files{when_opened("nothing"), shared_object("sound")};
-  const std::vector<Surveyed> found = survey(files);
+  const std::vector<ScannedFile> found = scan_files(files);
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(ids(found[0]), (std::vector<std::string>{"nothing"}));
   EXPECT_FALSE(is_loaded(files[0]));
@@ -45,7 +44,7 @@ TEST(Survey, TellsWhatFilesDeclareAndLoadsNone) {
   EXPECT_EQ(found[0].refusal + found[0].remark + found[1].refusal + found[1].remark, "");
 }
 
-TEST(Survey, NoFiles) { EXPECT_TRUE(survey({}).empty()); }
+TEST(Survey, NoFiles) { EXPECT_TRUE(scan_files({}).empty()); }
 
 TEST(Survey, RefusesAsOpeningDoes) {
   const Folder folder;
@@ -53,7 +52,7 @@ TEST(Survey, RefusesAsOpeningDoes) {
   for (const fs::path& file : {folder / "text.so", folder / "nothing.so", shared_object("wrong_major"),
                                shared_object("no_entry"), shared_object("missing_library")}) {
     const std::vector<fs::path> files{file};
-    const Surveyed found = survey(files).front();
+    const ScannedFile found = scan_files(files).front();
     EXPECT_TRUE(found.plugins.empty()) << file;
     EXPECT_FALSE(found.refusal.empty()) << file;
     EXPECT_EQ(found.refusal, open_shared_object(file).refusal) << file;
@@ -73,7 +72,7 @@ TEST(Survey, WhoHarmsIsNamedAndNobodyElse) {
     files.push_back(when_opened(does));
     files.push_back(shared_object("sound"));
   }
-  const std::vector<Surveyed> found = survey(files);
+  const std::vector<ScannedFile> found = scan_files(files);
   ASSERT_EQ(found.size(), 7u);
   for (std::size_t i = 0; i < harmful.size(); ++i) {
     EXPECT_EQ(found[2 * i + 1].refusal, harmful[i].second) << harmful[i].first;
@@ -87,7 +86,7 @@ TEST(Survey, WhoHarmsIsNamedAndNobodyElse) {
 TEST(Survey, NobodyWaitsTwiceForAFileThatSleeps) {
   const auto began = std::chrono::steady_clock::now();
   const std::vector<fs::path> files{shared_object("sound"), when_opened("sleep_on"), when_opened("nothing")};
-  const std::vector<Surveyed> found = survey(files);
+  const std::vector<ScannedFile> found = scan_files(files);
   EXPECT_EQ(found[1].refusal, "slept for 2 s when it was opened");
   EXPECT_EQ(ids(found[0]).size(), 2u);
   EXPECT_EQ(ids(found[2]).size(), 1u);
@@ -96,7 +95,7 @@ TEST(Survey, NobodyWaitsTwiceForAFileThatSleeps) {
 
 TEST(Survey, RemarksOnArithmeticThatWasChanged) {
   const std::vector<fs::path> files{when_opened("flush_small_numbers"), when_opened("nothing")};
-  const std::vector<Surveyed> found = survey(files);
+  const std::vector<ScannedFile> found = scan_files(files);
   EXPECT_NE(found[0].remark.find("when it was opened; that was undone"), std::string::npos) << found[0].remark;
   EXPECT_EQ(found[0].refusal, "");
   EXPECT_EQ(ids(found[0]).size(), 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugin/utility.hpp"
+#include "plugin/kinds.hpp"
 
 #include <gmock/gmock.h>
 

@@ -19,7 +19,7 @@
 #include <thread>
 #include <vector>
 
-#include "process/descriptor.hpp"
+#include "process/file_descriptor.hpp"
 #include "process/sanitized.hpp"
 #include "process/watch.hpp"
 

@@ -21,7 +21,7 @@
 #include <string>
 
 #include "process/child.hpp"
-#include "process/shared_memory.hpp"
+#include "process/file_descriptor.hpp"
 
 namespace regista::process {
 namespace {

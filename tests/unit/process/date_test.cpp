@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "process/date.hpp"
+#include "process/confinement.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/time.h>

@@ -8,8 +8,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "process/descriptor.hpp"
-#include "process/temporary_folder.hpp"
+#include "process/file_descriptor.hpp"
 
 namespace regista::process {
 namespace {

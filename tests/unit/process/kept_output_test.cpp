@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compared with the whole text, cut by hand.
-#include "process/kept_output.hpp"
+#include "process/watch.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "process/program.hpp"
+#include "process/child.hpp"
 
 #include <gmock/gmock.h>
 

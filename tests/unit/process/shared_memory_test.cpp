@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "process/shared_memory.hpp"
+#include "process/file_descriptor.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lines and polygons at the edge of a picture. Expected points follow from the geometry.
-#include "recording/clipped.hpp"
+#include "recording/field_svg.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which drawings a recording tells, and when.
-#include "recording/drawing_record.hpp"
+#include "recording/plugin_records.hpp"
 
 #include <gtest/gtest.h>
 

@@ -18,10 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "config/bad_input.hpp"
+#include "config/errors.hpp"
 #include "fuzz/recorded_match/recorded.hpp"
-#include "recording/recorded_drawings.hpp"
-#include "recording/typed_moment.hpp"
+#include "recording/moment_svg.hpp"
 
 namespace regista::recording {
 namespace {

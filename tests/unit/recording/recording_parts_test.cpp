@@ -6,10 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "recording/match_page.hpp"
 #include "recording/schemas.hpp"
-#include "texts/base64.hpp"
+#include "texts/html.hpp"
 #include "texts/json.hpp"
 #include "texts/json_text.hpp"
 
@@ -127,6 +130,24 @@ bool foxglove_takes(const nlohmann::json& schema) {
     }
   }
   return true;
+}
+
+// Parsers keep one of the two, each another.
+TEST(RecordingSchemas, HaveNoKeyTwice) {
+  for (const std::string& schema :
+       {schema::game(), schema::event(), schema::play(), schema::packet(), schema::heard(), schema::segment(),
+        schema::log(), schema::draw(), schema::decision(), schema::belief()}) {
+    std::vector<std::set<std::string>> keys;
+    const auto look = [&](int, nlohmann::json::parse_event_t event, nlohmann::json& parsed) {
+      using Event = nlohmann::json::parse_event_t;
+      if (event == Event::object_start) keys.emplace_back();
+      if (event == Event::object_end) keys.pop_back();
+      const bool first = event != Event::key || keys.back().insert(parsed.get<std::string>()).second;
+      EXPECT_TRUE(first) << parsed << " in " << schema;
+      return true;
+    };
+    EXPECT_TRUE(nlohmann::json::parse(schema, look).is_object());
+  }
 }
 
 TEST(RecordingSchemas, AreWhatFoxgloveTakes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What is told of segments, and which offer a teammate heard.
-#include "recording/segment_record.hpp"
+#include "recording/plugin_records.hpp"
 
 #include <gtest/gtest.h>
 

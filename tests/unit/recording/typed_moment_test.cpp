@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Moments and robots as people type them; the expected values follow from the clock's arithmetic.
-#include "recording/typed_moment.hpp"
+#include "recording/moment_svg.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
 
-#include "config/bad_input.hpp"
+#include "config/errors.hpp"
 
 namespace regista::recording {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "report/configuration_difference.hpp"
+#include "report/what_was_played.hpp"
 
 #include <gmock/gmock.h>
 

@@ -10,24 +10,24 @@
 #include <string>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
-#include "report/tournament_outline.hpp"
-#include "study/tournament.hpp"
+#include "campaign/match_encoding.hpp"
+#include "report/tournament_report.hpp"
+#include "study/tournament_course.hpp"
 #include "unit/study/tournament_fixture.hpp"
 
 namespace regista::report {
 
-inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
+inline campaign::MatchResult match(int home, int away, const std::string& metrics = "{}") {
   return {{home, away}, "full_time", "9f2c", campaign::metrics_from_json(metrics), std::nullopt, 1.0};
 }
 
-inline campaign::Decided failed(int side, const std::string& what = "Segmentation fault") {
+inline campaign::MatchResult failed(int side, const std::string& what = "Segmentation fault") {
   return campaign::forfeit({side, "greedy", "assign", 3, 417, what}, 1.0);
 }
 
 // One that could not be played.
-inline campaign::Decided unplayed(const std::string& why = "Segmentation fault, in no plugin's call") {
-  campaign::Decided out;
+inline campaign::MatchResult unplayed(const std::string& why = "Segmentation fault, in no plugin's call") {
+  campaign::MatchResult out;
   out.ended = "set_aside";
   out.why_set_aside = why;
   return out;
@@ -37,6 +37,7 @@ struct Course {
   explicit Course(std::vector<std::string> labels, std::uint64_t pairs = 1'000'000,
                   const study::Objective& objective = study::FixedNumber{}) {
     plan.asked.name = "trial";
+    plan.asked.settings.seeds = config::Seeds::consecutive;
     for (std::string& label : labels) {
       plan.asked.teams.push_back({label + ".yaml", "", {}});
       plan.teams.push_back({label, {{"team", "hash of " + label}}});
@@ -49,7 +50,7 @@ struct Course {
   Course(const Course&) = delete;
   Course& operator=(const Course&) = delete;
 
-  bool take(const campaign::Decided& decided) { return tournament->take(&decided); }
+  bool take(const campaign::MatchResult& decided) { return tournament->take(&decided); }
 
   // So many pairs of each kind, LL, LD, WL, WD, WW, for each pairing in turn and in no particular order, unless it is
   // over before; one goal decides.
@@ -85,7 +86,7 @@ inline std::string tournament_page(const TournamentView& view, const TournamentP
                                    const std::vector<Figure>& figures = {}) {
   return outline_page(tournament_outline(view, &page), "night.db", figures);
 }
-inline std::string tournament_page(const TournamentView& view, const CourseRecord& record) {
+inline std::string tournament_page(const TournamentView& view, const TournamentHistory& record) {
   return tournament_page(view, TournamentPage{record, {}, {}, {}});
 }
 

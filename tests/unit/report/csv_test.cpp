@@ -2,14 +2,14 @@
 #include <gmock/gmock.h>
 
 #include "course.hpp"
-#include "report/csv_text.hpp"
-#include "report/tournament.hpp"
+#include "report/number.hpp"
+#include "report/tournament_report.hpp"
 
 namespace regista::report {
 namespace {
 
 // Of a table without metrics.
-std::string line(const Course& course, std::uint64_t index, const campaign::Decided& decided) {
+std::string line(const Course& course, std::uint64_t index, const campaign::MatchResult& decided) {
   match::MetricColumns none;
   return csv_line(course.view(), index, decided, none);
 }
@@ -55,7 +55,7 @@ TEST(TournamentCsv, FieldsThatHoldSignsOfATable) {
 
 TEST(TournamentCsv, MetricsOfBothSidesAndNothingWhereThereAreNone) {
   Course course({"a", "b"}, 10);
-  const campaign::Decided decided = match(0, 0, R"({"packets":[3,0.1],"agreement":[null,1e300]})");
+  const campaign::MatchResult decided = match(0, 0, R"({"packets":[3,0.1],"agreement":[null,1e300]})");
   match::MetricColumns columns({.of_teams = {"packets", "agreement"}, .of_match = {}});
   EXPECT_EQ(csv_line(course.view(), 0, decided, columns), "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,0.1,,1e+300\n");
   EXPECT_EQ(csv_line(course.view(), 0, failed(0), columns),
@@ -64,7 +64,7 @@ TEST(TournamentCsv, MetricsOfBothSidesAndNothingWhereThereAreNone) {
 
 TEST(TournamentCsv, MetricsOfTheMatchStandOnceAfterThoseOfTheTeams) {
   Course course({"a", "b"}, 10);
-  const campaign::Decided decided = match(0, 0, R"({"packets":[3,4],"ball_rests":17,"ball_rest_seconds":null})");
+  const campaign::MatchResult decided = match(0, 0, R"({"packets":[3,4],"ball_rests":17,"ball_rest_seconds":null})");
   match::MetricColumns columns(
       {.of_teams = {"packets"}, .of_match = {"ball_rests", "ball_rest_seconds", "ball_crowd_seconds"}});
   EXPECT_EQ(csv_line(course.view(), 0, decided, columns), "1,1,1,,a,b,0,0,full_time,9f2c,,,,,3,4,17,,\n");

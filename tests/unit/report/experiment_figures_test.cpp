@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every measure that an experiment names is seen in a figure as wide as the page.
-#include "report/experiment_figures.hpp"
+#include "report/experiment_report.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "report/metric_reference.hpp"
 #include "unit/study/experiment_fixture.hpp"
 
 namespace regista::report {
@@ -45,15 +46,19 @@ ExperimentPlan measuring(std::size_t arms, std::size_t values, std::vector<std::
 }
 
 TEST(ExperimentFigures, OneForEachMeasureThePrimaryOneFirst) {
-  EXPECT_THAT(names(figures(measuring(3, 1, {"goals", "packets", "points"}))),
-              ElementsAre("measure_2", "measure_1", "measure_3"));
+  EXPECT_THAT(names(figures(measuring(3, 1, {"goals", "packets", "points"}))), ElementsAre("measure_2", "measures_1"));
   EXPECT_THAT(names(figures(measuring(2, 1, {"striker.overlap_seconds", "packets"}))),
               ElementsAre("measure_2", "roles"));
   EXPECT_THAT(names(figures(measuring(2, 3, {"striker.overlap_seconds", "packets"}))),
               ElementsAre("sweep_2", "sweep_1"));
   for (const Figure& each : figures(measuring(2, 1, {"striker.overlap_seconds", "packets"}))) {
-    EXPECT_GT(each.chart.width, 1100) << each.name;
+    EXPECT_EQ(each.chart.width, page_width) << each.name;
     EXPECT_TRUE(is_experiment_figure(each.name));
+  }
+  // A page asks for them by these names.
+  for (const ExperimentPlan& plan : {measuring(3, 1, {"packets", "goals", "points"}),
+                                     measuring(2, 3, {"packets", "goals", "striker.overlap_seconds"})}) {
+    EXPECT_THAT(names_of_experiment_figures(plan), testing::IsSupersetOf(names(figures(plan))));
   }
   for (const char* other : {"measure_", "measure_x", "measure_1234", "measure", "convergence"}) {
     EXPECT_FALSE(is_experiment_figure(other)) << other;
@@ -71,9 +76,39 @@ TEST(ExperimentFigures, ArmsHaveTheirMeansAndIntervals) {
   EXPECT_THAT(drawn[0].chart.rows, ElementsAre("arm 0", "arm 1"));
 }
 
+// Three strips beside each other at most, as many in each figure as in the others.
+TEST(ExperimentFigures, OtherMeasuresStandBesideEachOther) {
+  const std::vector<Figure> drawn = figures(
+      measuring(2, 1, {"goals", "packets", "points", "goal_difference", "striker.unplayed_seconds", "agreement"}));
+  ASSERT_THAT(names(drawn), ElementsAre("measure_2", "measures_1"));
+  const Figure& others = drawn[1];
+  ASSERT_EQ(others.chart.panels.size(), 3u);
+  EXPECT_EQ(others.chart.panels[0].x.title, "goals, per match");
+  EXPECT_THAT(others.csv, StartsWith("arm,goals mean,goals low,goals high,points mean,"));
+  EXPECT_EQ(others.title, "Goals; points; goal difference");
+}
+
+TEST(ExperimentFigures, WhatIsZeroOrMissingIsNotDrawn) {
+  // Nobody scores against the arms, and no match has the last one.
+  const ExperimentPlan plan = measuring(2, 1, {"packets", "goals_against", "agreement"});
+  EXPECT_THAT(names(figures(plan)), ElementsAre("measure_1"));
+  EXPECT_THAT(names(figures(measuring(2, 2, {"packets", "goals_against"}))), ElementsAre("sweep_1"));
+}
+
+TEST(ExperimentFigures, AxesHaveTheWordsOfPeople) {
+  EXPECT_EQ(measure_axis("striker.overlap_seconds"), "striker held twice, minutes of 60");
+  EXPECT_EQ(measure_axis("playing.wing_left.uncovered_seconds"), "wing left held by nobody, minutes of 60");
+  EXPECT_EQ(measure_axis("overlap_seconds"), "roles held twice, minutes of 60");
+  EXPECT_EQ(measure_axis("switches_after_silence"), "changes of role after the silence, per match");
+  EXPECT_EQ(measure_axis("goal_difference"), "goal difference, per match");
+  EXPECT_EQ(measure_axis("agreement"), "agreement of all robots on the assignment, share of time");
+  EXPECT_EQ(measure_axis("packets"), "packets, per match");
+  EXPECT_EQ(measure_axis("plugin_totals.x.crossings"), "plugin totals.x.crossings, per match");
+}
+
 TEST(ExperimentFigures, PanelsOfRolesAreThoseThatMeasuresName) {
   const Figure figure = figures(measuring(2, 1, {"striker.overlap_seconds", "packets"}))[1];
-  EXPECT_EQ(figure.title, "Overlap by role");
+  EXPECT_EQ(figure.title, "Roles: held twice");
   EXPECT_THAT(figure.csv, AllOf(StartsWith("role,arm 0 overlap_seconds,"), Not(HasSubstr("switches"))));
 }
 
@@ -97,7 +132,7 @@ TEST(ExperimentFigures, TheirPicturesNameEveryArm) {
         measuring(9, 3, {"packets"}), rows}) {
     for (const Figure& each : figures(plan)) {
       for (std::size_t arm = 0; arm < plan.asked.arms.size(); ++arm) {
-        EXPECT_THAT(svg(each, Look::page).str(), HasSubstr(fmt::format(">arm {}</text>", arm))) << each.name;
+        EXPECT_THAT(svg(each, Medium::page).str(), HasSubstr(fmt::format(">arm {}</text>", arm))) << each.name;
       }
     }
   }

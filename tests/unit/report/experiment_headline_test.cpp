@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "course.hpp"
-#include "report/experiment.hpp"
+#include "report/experiment_report.hpp"
 #include "unit/study/experiment_fixture.hpp"
 
 namespace regista::report {
@@ -102,22 +102,32 @@ TEST(ExperimentHeadline, OfASweepTheValuesAreNamed) {
   // Conditions by value, then arm.
   EXPECT_EQ(
       headline(study::experiment_of(2, 3, 12), of({30, 10, 10, 10, 10, 30})),
-      "arm 0 has more striker.overlap_seconds than arm 1 at 0 of rules.messages.budget. arm 1 has more "
+      "striker.overlap_seconds of arm 1 rises with rules.messages.budget. That of arm 0 falls. arm 0 has more "
+      "striker.overlap_seconds than arm 1 at 0 of rules.messages.budget. arm 1 has more "
       "striker.overlap_seconds than arm 0 at 2 of rules.messages.budget. No difference was found between arm 0 at "
       "1 and arm 1 at 1.");
   EXPECT_EQ(headline(study::experiment_of(2, 3, 12), of({30, 10, 30, 10, 30, 10})),
-            "arm 0 has more striker.overlap_seconds than arm 1 at each of the 3 values of rules.messages.budget.");
+            "arm 0 has more striker.overlap_seconds than arm 1 at each of the 3 values of rules.messages.budget. "
+            "No trend over rules.messages.budget was found.");
   EXPECT_THAT(headline(study::experiment_of(2, 3, 12), of({10, 10, 10, 10, 10, 10})),
-              HasSubstr("was found in any of 3 comparisons."));
+              testing::StartsWith("No trend of striker.overlap_seconds over rules.messages.budget was found, and no "
+                                  "difference in any of 3 comparisons."));
+  EXPECT_THAT(headline(study::experiment_of(3, 3, 12), of({10, 10, 30, 20, 10, 25, 30, 10, 20})),
+              testing::StartsWith("striker.overlap_seconds of arm 0 rises with rules.messages.budget. That of arm 2 "
+                                  "falls. No trend was found for arm 1. "));
+  EXPECT_THAT(headline(study::experiment_of(2, 3, 12), of({10, 10, 20, 20, 30, 30})),
+              testing::StartsWith("striker.overlap_seconds of all 2 arms rises with rules.messages.budget. No "));
 }
 
 TEST(ExperimentHeadline, OfOneArmOverASweepTheFirstValueIsTheReference) {
   ExperimentPlan plan = study::experiment_of(1, 4, 12);
   EXPECT_EQ(headline(plan, of({10, 10, 20, 30})),
-            "arm 0 has more striker.overlap_seconds at 2 and 3 of rules.messages.budget than at 0. No difference was "
+            "striker.overlap_seconds of arm 0 rises with rules.messages.budget. arm 0 has more striker.overlap_seconds "
+            "at 2 and 3 of rules.messages.budget than at 0. No difference was "
             "found between arm 0 at 1 and arm 0 at 0.");
   EXPECT_EQ(headline(plan, of({30, 20, 10, 10})),
-            "arm 0 has less striker.overlap_seconds at 1, 2 and 3 of rules.messages.budget than at 0.");
+            "striker.overlap_seconds of arm 0 falls with rules.messages.budget. arm 0 has less striker.overlap_seconds "
+            "at 1, 2 and 3 of rules.messages.budget than at 0.");
 }
 
 TEST(ExperimentHeadline, WhereThereIsNoTest) {

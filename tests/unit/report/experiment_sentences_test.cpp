@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "report/experiment.hpp"
+#include "report/experiment_report.hpp"
 #include "report/outline.hpp"
+#include "texts/json.hpp"
 #include "unit/study/experiment_fixture.hpp"
 
 namespace regista::report {
@@ -79,7 +80,7 @@ TEST(ExperimentSentences, NotesTellOfPlayingOfTheOpponentAndOfSeveralIntervals) 
   EXPECT_THAT(told(study::experiment_of(2, 2, 3), spread).notes,
               testing::ElementsAre("Mean minutes of a match in the phase Playing: 10.0.",
                                    AllOf(HasSubstr("apply to the opponent, too"), HasSubstr("rules.messages.budget")),
-                                   HasSubstr("for all 2 comparisons together")));
+                                   HasSubstr("for all 2 comparisons and 2 trends together")));
   ExperimentPlan plan = study::experiment_of(2, 1, 3);
   const auto set = [](const char* path, const char* value) {
     return config::Node::Entry{path, {}, config::Node::scalar(value, false, {})};
@@ -87,6 +88,30 @@ TEST(ExperimentSentences, NotesTellOfPlayingOfTheOpponentAndOfSeveralIntervals) 
   plan.asked.arms[0].set = config::Node::map({set("rulesome.plugin", "x"), set("robot", "nao")}, {});
   plan.asked.arms[1].set = config::Node::map({set("robot.walk.forward", "0.2")}, {});
   EXPECT_THAT(told(plan, spread).notes, Contains(HasSubstr("at all values of robot, robot.walk.forward.")));
+}
+
+// 1, 3 and 5 minutes of an hour at 0, 1 and 2, in every second pair half as much again: the line rises by 4 or 6.
+TEST(ExperimentSentences, ATrendIsToldByHowFarItRises) {
+  const Overlap rising = [](std::size_t condition, std::uint64_t pair) {
+    return 10.0 * (1.0 + 2.0 * static_cast<double>(condition)) * (pair % 2 == 0 ? 1.0 : 1.5);
+  };
+  EXPECT_THAT(
+      told(study::experiment_of(1, 3, 8), rising).findings,
+      Contains(AllOf(testing::StartsWith("striker.overlap_seconds of arm 0 rises with rules.messages.budget: "
+                                         "by 5.00 from 0 to 2 (95 % interval of this trend alone: 4.11 to 5.89), 8 "
+                                         "pairs; p < "),
+                     HasSubstr(" after Holm."))));
+  const Overlap falling = [&](std::size_t condition, std::uint64_t pair) { return 100.0 - rising(condition, pair); };
+  EXPECT_THAT(told(study::experiment_of(1, 3, 8), falling).findings,
+              Contains(testing::StartsWith("striker.overlap_seconds of arm 0 falls with rules.messages.budget: by 5.00 "
+                                           "from 0 to 2 (95 % interval of this trend alone: 4.11 to 5.89)")));
+  const std::string text = of_course(study::experiment_of(1, 3, 8), rising,
+                                     [](const ExperimentView& view) { return outline_json(experiment_outline(view)); });
+  const auto json = nlohmann::ordered_json::parse(text);
+  EXPECT_NEAR(json["primary"]["trends"][0]["mean"].get<double>(), 2.5, 1e-9);
+  EXPECT_EQ(json["primary"]["trends"][0]["arm"], "arm 0");
+  EXPECT_TRUE(json["primary"]["trends"][0]["found"].get<bool>());
+  EXPECT_EQ(json["measures"][1]["trends"].size(), 1u);
 }
 
 TEST(ExperimentSentences, ATerminalShowsDifferencesOfTeamsAndThePrimaryOneAPageAll) {
@@ -103,7 +128,7 @@ TEST(ExperimentSentences, ATerminalShowsDifferencesOfTeamsAndThePrimaryOneAPageA
                                  HasSubstr("single roles: --json, or the page"), Not(HasSubstr("keeper."))));
   const std::string page = outline_page(shown, "results.db", {});
   EXPECT_THAT(page.substr(page.find("<section id=\"differences\"")), HasSubstr("keeper.<wbr>overlap_<wbr>seconds"));
-  EXPECT_THAT(page, Not(HasSubstr("<section id=\"figures\"")));  // none was drawn
+  EXPECT_THAT(page, HasSubstr("Not drawn, because all numbers are 0 or missing: goals, keeper.overlap_seconds."));
 }
 
 // Its tables would be long.

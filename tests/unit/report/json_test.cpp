@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "course.hpp"
 #include "report/standing.hpp"
-#include "report/tournament.hpp"
+#include "report/tournament_report.hpp"
+#include "statistics/rating.hpp"
 #include "texts/json.hpp"
 
 namespace regista::report {
@@ -44,11 +47,11 @@ TEST(TournamentJson, SaysWhatTheNumbersAre) {
   EXPECT_NEAR(pairing["nelo"].get<double>(), 57.94, 0.005);
   EXPECT_EQ(pairing["elo_interval"][0], known.elo.interval.low);
   EXPECT_EQ(pairing["elo_interval"][1], known.elo.interval.high);
-  EXPECT_EQ(pairing["los"], known.superiority);
+  EXPECT_EQ(pairing["los"], *known.superiority);
   EXPECT_EQ(pairing["pair_ratio"], *known.pair_ratio);
   EXPECT_EQ(pairing["variance_ratio"]["scores"], *known.score_ratio);
   EXPECT_EQ(pairing["variance_ratio"]["goals"], *known.goals_ratio);
-  EXPECT_EQ(pairing["goals_per_match"]["t"], known.goals_t->t);
+  EXPECT_EQ(pairing["goals_per_match"]["t_interval"][0], known.goals_t->interval.low);
   EXPECT_EQ(json["complete"], true);
   EXPECT_EQ(pairing["p"], p_values(*course.tournament).single[0]);
   EXPECT_EQ(pairing["p_holm"], pairing["p"]);
@@ -66,7 +69,7 @@ TEST(TournamentJson, OfASequentialTest) {
   EXPECT_GE(test["llr"].get<double>(), test["llr_stopping"][1].get<double>());
   EXPECT_LE(test["llr_stopping"][1].get<double>(), test["llr_bounds"][1].get<double>());
   // A t test of a number of pairs that the test has chosen would be wrong.
-  EXPECT_FALSE(json["pairings"][0]["goals_per_match"].contains("t"));
+  EXPECT_TRUE(json["pairings"][0]["goals_per_match"]["t_interval"].is_null());
   EXPECT_LT(json["matches"], 200);
 }
 
@@ -92,7 +95,10 @@ TEST(TournamentJson, WhatIsInfiniteOrUnknownIsNull) {
   EXPECT_FALSE(read(course)["pairings"][0].contains("elo"));
   course.take_pairs({{0, 0, 0, 0, 2}});
   const Json pairing = read(course)["pairings"][0];
-  EXPECT_EQ(pairing["elo_interval"], (Json{nullptr, nullptr}));
+  EXPECT_TRUE(pairing["elo"].is_null());
+  EXPECT_TRUE(pairing["elo_interval"][1].is_null());
+  EXPECT_NEAR(pairing["elo_interval"][0].get<double>(), statistics::elo_of_score(std::sqrt(0.025)), 1e-9);
+  EXPECT_TRUE(pairing["los"].is_null());
   EXPECT_TRUE(pairing["pair_ratio"].is_null());
   EXPECT_TRUE(pairing["variance_ratio"]["scores"].is_null());
 }

@@ -3,9 +3,9 @@
 #include <gmock/gmock.h>
 
 #include "course.hpp"
-#include "report/course_record.hpp"
-#include "report/experiment.hpp"
+#include "report/experiment_report.hpp"
 #include "report/match_summary.hpp"
+#include "report/tournament_history.hpp"
 #include "texts/json.hpp"
 #include "tuning_course.hpp"
 #include "unit/study/experiment_fixture.hpp"
@@ -32,12 +32,12 @@ struct ShortGames : Course {
     plan.asked.settings.limit = 30;
     tournament.emplace(plan);
   }
-  std::vector<campaign::Decided> matches() const {
+  std::vector<campaign::MatchResult> matches() const {
     return {match(0, 0, metrics(45, 20)), match(0, 0, metrics(20, 45)), match(0, 0, metrics(45, 20)),
             match(0, 0, metrics(20, 45))};
   }
   void play() {
-    for (const campaign::Decided& each : matches()) take(each);
+    for (const campaign::MatchResult& each : matches()) take(each);
   }
 };
 
@@ -53,17 +53,18 @@ TEST(PacketsSpent, TextOfATournament) {
   EXPECT_THAT(standing_text(course.view()), Not(HasSubstr("packets")));  // of the live display
 }
 
-// Of one match; 30 packets are its share of the budget.
-TEST(PacketsSpent, WhoSpendsTheShareToTheLastPacketHasNotOverspent) {
+// Of one match; 30 packets are its share of the budget, and 31 are 3 % more.
+TEST(PacketsSpent, WhoSpendsTheShareAndFivePercentHasNotOverspent) {
   campaign::PlayedMatch match;
   match.teams = {"a", "b"};
   match.budget = 1200;
   match.packets_share = 30.0;
   match.result.packets = {30, 31};
-  EXPECT_THAT(
-      summary_text(match, {}),
-      AllOf(HasSubstr("\na (home)\n"), HasSubstr("  packets 30 of 1200 (share of this length: 30)\n"),
-            HasSubstr("\nb (away)\n"), HasSubstr("  packets 31 of 1200 (share of this length: 30, OVERSPENT)\n")));
+  EXPECT_THAT(summary_text(match, {}),
+              AllOf(HasSubstr("\na (home)\n"), HasSubstr("  packets 30 of 1200 (share of this length: 30)\n"),
+                    HasSubstr("\nb (away)\n"), HasSubstr("  packets 31 of 1200 (share of this length: 30)\n")));
+  match.result.packets = {32, 0};
+  EXPECT_THAT(summary_text(match, {}), HasSubstr("  packets 32 of 1200 (share of this length: 30, OVERSPENT)\n"));
 }
 
 TEST(PacketsSpent, TextOfSeveralTeamsStandsBelowTheirPairings) {
@@ -100,8 +101,8 @@ TEST(PacketsSpent, TableOfATournament) {
 
 TEST(PacketsSpent, PageOfATournament) {
   ShortGames course;
-  CourseRecord record(course.plan, *course.tournament);
-  for (const campaign::Decided& each : course.matches()) {
+  TournamentHistory record(course.plan, *course.tournament);
+  for (const campaign::MatchResult& each : course.matches()) {
     course.take(each);
     record.take(&each);
   }
@@ -116,7 +117,7 @@ TEST(PacketsSpent, PageOfATournament) {
 TEST(PacketsSpent, OfATunedTeam) {
   const study::TuningPlan plan = tuning_plan();
   const TunedCourse course(plan, [&](const campaign::Job& job) {
-    campaign::Decided decided = decided_by(plan, job, peak);
+    campaign::MatchResult decided = decided_by(plan, job, peak);
     const bool at_home = job.overrides.front().starts_with("home.");
     decided.metrics = campaign::metrics_from_json(at_home ? metrics(45, 20) : metrics(20, 45));
     return decided;
@@ -139,7 +140,7 @@ ToldExperiment told(const study::ExperimentPlan& plan) {
   study::Experiment course(plan);
   for (std::uint64_t index = 0; index < plan.matches(); ++index) {
     const study::Trial each = trial(plan, index);
-    campaign::Decided decided = study::played(each.side, 1.0, 0, 0, 0);
+    campaign::MatchResult decided = study::played(each.side, 1.0, 0, 0, 0);
     const int own = 10 + 10 * static_cast<int>(each.condition);
     decided.metrics = campaign::metrics_from_json(each.side == 0 ? metrics(own, 999) : metrics(999, own));
     course.take(decided);
@@ -160,12 +161,13 @@ TEST(PacketsSpent, OfTheArmsOfAnExperiment) {
 }
 
 TEST(PacketsSpent, OfASweepWhereItIsOverspent) {
-  EXPECT_THAT(told(study::experiment_of(2, 2, 2)).notes,
-              Contains("Packets per match, and the share of the budget for games of this length: above it in 1 of 4 "
-                       "conditions, arm 1 at 1 40 of 30 (OVERSPENT)."));
+  EXPECT_THAT(
+      told(study::experiment_of(2, 2, 2)).notes,
+      Contains("Packets per match, and the share of the budget for games of this length: more than 5 % above it "
+               "in 1 of 4 conditions, most of all arm 1 at 1 40 of 30 (OVERSPENT)."));
   EXPECT_THAT(told(study::experiment_of(1, 3, 2)).notes,
-              Contains("Packets per match, and the share of the budget for games of this length: within it in all 3 "
-                       "conditions."));
+              Contains("Packets per match, and the share of the budget for games of this length: within it, or at most "
+                       "5 % above it, in all 3 conditions."));
 }
 
 }  // namespace

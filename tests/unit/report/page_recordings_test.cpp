@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of recordings of all kinds, and whether they are taken for a match.
-#include "report/page_recordings.hpp"
+#include "report/tournament_history.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,8 +9,8 @@
 
 #include "course.hpp"
 #include "mcap/writer.hpp"
-#include "recording/match_to_find.hpp"
-#include "study/recording_place.hpp"
+#include "recording/recording_metadata.hpp"
+#include "study/study.hpp"
 
 namespace regista::report {
 namespace {
@@ -55,18 +55,18 @@ class PageRecordingsTest : public testing::Test {
   }
 
   fs::path results_;
-  recording::MatchToFind match_{7, {"a", "b"}, "left", std::array<int, 2>{2, 1}, {}};
+  recording::RecordingIdentity match_{7, {"a", "b"}, "left", std::array<int, 2>{2, 1}, {}};
 };
 
 TEST_F(PageRecordingsTest, OfTheSameMatch) {
-  EXPECT_TRUE(recording::holds(write({}), match_));
-  EXPECT_TRUE(recording::holds(write({.game = R"({"score":[1,1]})", .goal = R"({"score":[2,1]})"}), match_));
+  EXPECT_TRUE(recording::is_recording_of(write({}), match_));
+  EXPECT_TRUE(recording::is_recording_of(write({.game = R"({"score":[1,1]})", .goal = R"({"score":[2,1]})"}), match_));
   match_.packets = 2.0;
-  EXPECT_TRUE(recording::holds(write({.packets = 2}), match_));
-  EXPECT_FALSE(recording::holds(write({.packets = 3}), match_));
+  EXPECT_TRUE(recording::is_recording_of(write({.packets = 2}), match_));
+  EXPECT_FALSE(recording::is_recording_of(write({.packets = 3}), match_));
   match_.packets.reset();
   match_.labels = {"a (one/a.yaml)", "b (c)"};
-  EXPECT_TRUE(recording::holds(write({}), match_));
+  EXPECT_TRUE(recording::is_recording_of(write({}), match_));
 }
 
 TEST_F(PageRecordingsTest, OfAnother) {
@@ -78,28 +78,28 @@ TEST_F(PageRecordingsTest, OfAnother) {
         Written{.seed = ""}, Written{.home = "{"}, Written{.home = "[]"}, Written{.away = R"({"team":3})"},
         Written{.game = ""}, Written{.game = "[["}, Written{.game = R"({"score":"2:1"})"},
         Written{.game = R"({"score":[2]})"}, Written{.game = R"({"score":null})"}}) {
-    EXPECT_FALSE(recording::holds(write(each), match_))
+    EXPECT_FALSE(recording::is_recording_of(write(each), match_))
         << each.seed << each.home << each.away << each.opening << each.game;
   }
 }
 
 TEST_F(PageRecordingsTest, OfAMatchThatFailed) {
   match_.score.reset();
-  EXPECT_TRUE(recording::holds(write({}), match_));
-  EXPECT_TRUE(recording::holds(write({.whole = false}), match_));
-  EXPECT_FALSE(recording::holds(write({.seed = "8", .whole = false}), match_));
+  EXPECT_TRUE(recording::is_recording_of(write({}), match_));
+  EXPECT_TRUE(recording::is_recording_of(write({.whole = false}), match_));
+  EXPECT_FALSE(recording::is_recording_of(write({.seed = "8", .whole = false}), match_));
 }
 
 TEST_F(PageRecordingsTest, NoneAtAll) {
   const fs::path file = study::recording_file(results_, 1);
-  EXPECT_FALSE(recording::holds(file, match_));
+  EXPECT_FALSE(recording::is_recording_of(file, match_));
   std::ofstream(file) << "";
-  EXPECT_FALSE(recording::holds(file, match_));
+  EXPECT_FALSE(recording::is_recording_of(file, match_));
   std::ofstream(file) << "\x89MCAP0\r\n and no more";
-  EXPECT_FALSE(recording::holds(file, match_));
+  EXPECT_FALSE(recording::is_recording_of(file, match_));
   fs::remove(file);
   fs::create_directory(file);
-  EXPECT_FALSE(recording::holds(file, match_));
+  EXPECT_FALSE(recording::is_recording_of(file, match_));
 }
 
 TEST_F(PageRecordingsTest, EachFileIsFittingOrAnother) {
@@ -107,8 +107,8 @@ TEST_F(PageRecordingsTest, EachFileIsFittingOrAnother) {
   course.plan.asked.seed = 7;
   course.plan.openings = {{"scenes/l.yaml", {"opening left", "hash"}}};
   course.tournament.emplace(course.plan);
-  CourseRecord record(course.plan, *course.tournament, {0, 1, 2, 3, 900});
-  for (const campaign::Decided& each : {match(2, 1), match(0, 0), failed(0), match(0, 0), match(2, 1)}) {
+  TournamentHistory record(course.plan, *course.tournament, {0, 1, 2, 3, 900});
+  for (const campaign::MatchResult& each : {match(2, 1), match(0, 0), failed(0), match(0, 0), match(2, 1)}) {
     course.take(each);
     record.take(&each);
   }

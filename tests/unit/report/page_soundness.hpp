@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every page of a study has to be: whole, every element closed, and nothing loaded from elsewhere.
+// What every page of a study has to be: whole, every element closed, no script but ours, and nothing loaded from
+// elsewhere.
 #pragma once
 
 #include <gmock/gmock.h>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "report/outline.hpp"
+#include "report/page_assets.hpp"
 
 namespace regista::report {
 
@@ -38,7 +40,10 @@ inline void expect_sound(const std::string& page) {
               count(page, std::string("</") + each + ">"))
         << each;
   }
-  for (const char* each : {"<script", "<link", "<img", "<iframe", "@import", "url(", "src=", "http:", "https:"}) {
+  EXPECT_EQ(count(page, "<script"), 1u);
+  EXPECT_THAT(page, testing::HasSubstr("<script>" + std::string(page_script.view()) + "</script>"));
+  EXPECT_THAT(page, testing::HasSubstr("script-src '" + std::string(page_script_hash.view()) + "'"));
+  for (const char* each : {"<link", "<img", "<iframe", "@import", "url(", "src=", "http:", "https:"}) {
     EXPECT_THAT(page, testing::Not(testing::HasSubstr(each)));
   }
 }

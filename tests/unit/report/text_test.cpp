@@ -4,7 +4,7 @@
 
 #include "course.hpp"
 #include "report/standing.hpp"
-#include "statistics/likelihood_ratio.hpp"
+#include "statistics/sequential_test.hpp"
 
 namespace regista::report {
 namespace {
@@ -23,15 +23,15 @@ TEST(TournamentText, ThePublishedPairsInTheFormThatPeopleKnow) {
   // Won: 2 * 75 + 64 + 63, for the pairs that ended even are a win and a loss each.
   EXPECT_THAT(text, StartsWith("Tournament: new vs old (290 pairs, seeds from 7, 12.5 s a match)\n"
                                "\nStanding\n"
-                               "Elo: 55.58 +/- 27.65, nElo: 57.94 +/- 29.41\n"
-                               "LOS: 100.00 %, DrawRatio: 21.72 %, PairsRatio: 1.58\n"
                                "Games: 580, Wins: 277, Losses: 185, Draws: 118, Points: 336.0 (57.93 %)\n"
+                               "Goals: 277:185, per match +0.159 [0.081, 0.236], 95 % by Student's t\n"
+                               "p 0.0001: exact sign flips of the pairs' goal differences\n"
                                "Ptnml(0-2): [34, 54, 63, 64, 75]\n"
-                               "Goals: 277:185, per match +0.159 ["));
-  EXPECT_THAT(text, HasSubstr("for this number of pairs (t test: p "));
-  EXPECT_THAT(text,
-              HasSubstr("\n\nnew is stronger than old.\nAfter 290 pairs of matches new has 336.0 of 580 points (58 %), "
-                        "goals 277:185.\nIf the teams were equal, "));
+                               "Elo: 55.58 +/- 27.82, nElo: 57.94 +/- 29.41\n"
+                               "LOS: 100.00 %, DrawRatio: 21.72 %, PairsRatio: 1.58\n"));
+  EXPECT_THAT(text, HasSubstr("\n\nnew beats old by 0.159 goals a match (95 % interval 0.081 to 0.236).\nAfter 290 "
+                              "pairs of matches new has 336.0 of 580 points (58 %), "
+                              "goals 277:185.\nIf the teams were equal, "));
   EXPECT_THAT(text, Not(HasSubstr("test accepted")));
 }
 
@@ -115,12 +115,12 @@ TEST(TournamentText, WhatNothingIsKnownOf) {
   EXPECT_EQ(text,
             "Tournament: a vs b (0 pairs of 10, seeds from 1)\n\nStanding\n"
             "Games: 0, Wins: 0, Losses: 0, Draws: 0, Points: 0.0 (0.00 %)\n"
-            "Ptnml(0-2): [0, 0, 0, 0, 0]\nGoals: 0:0\n"
+            "Goals: 0:0\nPtnml(0-2): [0, 0, 0, 0, 0]\n"
             "\nNo pair of matches has been played to its end yet: nothing can be said.\n");
   course.take_pairs({{0, 0, 0, 0, 1}});
   text = without_played(tournament_text(course.view()));
   EXPECT_THAT(text, HasSubstr("(1 pair of 10, seeds from 1)"));
-  EXPECT_THAT(text, HasSubstr(" (no interval), nElo: "));
+  EXPECT_THAT(text, HasSubstr("Elo: at least -636.43, nElo: "));
   EXPECT_THAT(text, HasSubstr("PairsRatio: -\n"));
   EXPECT_THAT(text, HasSubstr("Variance ratio of pairing: - of scores, - of goals\n"));
   EXPECT_THAT(text, Not(HasSubstr("nan")));
@@ -198,10 +198,10 @@ TEST(TournamentText, ThreeTeamsAreRanked) {
   EXPECT_LT(second, third);
   EXPECT_THAT(text, testing::ContainsRegex("  \\+163.9 +1.00 +20 +16 +0 +4 +16.0 +16:4 +0\n"));
   EXPECT_THAT(text, HasSubstr("\nNo margin: fewer than 10 pairs of the team were uneven, or it won or lost all.\n"));
-  EXPECT_THAT(text, testing::ContainsRegex(
-                        "\n\n3 pairings, from the point of view of the team named first; p: two-sided "
-                        "sign-flip test, corrected by Holm\nPairing +Won - drawn - lost +Goals +Elo +p \\(Holm\\)\n"
-                        "the longest name of all - b +7 - 0 - 3 +7:3 "));
+  EXPECT_THAT(text, testing::ContainsRegex("\n\n3 pairings, from the point of view of the team named first; p: exact "
+                                           "sign flips of the pairs' goal differences, corrected by Holm\n"
+                                           "Pairing +Won - drawn - lost +Goals +Goals a match +p \\(Holm\\)\n"
+                                           "the longest name of all - b +7 - 0 - 3 +7:3 "));
   EXPECT_THAT(text, testing::ContainsRegex("\nb - c +6 - 0 - 4 +6:4 "));
   std::size_t columns = 0;
   for (std::size_t begin = text.find("Rank"), line = 0; line < 4; ++line) {
@@ -234,12 +234,17 @@ TEST(TournamentText, TheTitleOfATournamentWhoseLastTeamWasSetAside) {
 TEST(TournamentText, AnOpeningOrMore) {
   Course course({"a", "b"}, 6);
   course.plan.openings = {{"corner.yaml", {}}};
-  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 1 opening)");
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 1 scene)");
   course.plan.openings.push_back({"free.yaml", {}});
-  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 2 openings)");
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 2 scenes)");
   // A fixed number of pairs takes the scenes in their order.
   for (int i = 0; i < 41; ++i) course.plan.openings.push_back({"more.yaml", {}});
-  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, the first 6 of 43 openings)");
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, the first 6 of 43 scenes)");
+  // Their mean length, each ended by the limit at the latest.
+  course.plan.openings = {{"corner.yaml", {}, 20.0}, {"free.yaml", {}, 61.0}};
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 2 scenes of about 40 s)");
+  course.plan.asked.settings.limit = 30.0;
+  EXPECT_EQ(title(course.view()), "a vs b (0 pairs of 6, seeds from 1, 2 scenes of about 25 s)");
 }
 
 // What a terminal cannot show is written otherwise where it is ours, and never where it is somebody's.
@@ -249,7 +254,7 @@ TEST(OutlineText, SignsOfUsersStay) {
   course.take_pairs({{1, 0, 1, 0, 3}, {0, 0, 1, 0, 4}, {2, 0, 0, 0, 3}});
   course.take(failed(0, "more than ±3"));
   const std::string text = tournament_text(course.view());
-  EXPECT_THAT(text, AllOf(HasSubstr("a ±1–2 - b "), HasSubstr("(loss–5±1.yaml)"), HasSubstr("\na ±1–2 leads 3 teams")));
+  EXPECT_THAT(text, AllOf(HasSubstr("a ±1–2 - b "), HasSubstr("(loss–5±1.yaml)"), HasSubstr("   1  a ±1–2 ")));
   EXPECT_THAT(text.substr(text.find("\nStanding\n")), Not(HasSubstr("∞")));
 }
 

@@ -13,9 +13,9 @@
 #include <string>
 #include <utility>
 
-#include "campaign/metric_json.hpp"
-#include "report/tuning.hpp"
-#include "study/tuning/tuning.hpp"
+#include "campaign/match_encoding.hpp"
+#include "report/tuning_report.hpp"
+#include "study/tuning/tuning_study.hpp"
 
 namespace regista::report {
 
@@ -46,6 +46,7 @@ inline study::TuningPlan tuning_plan() {
   plan.objective = {{{"goal_difference", 1.0}}, false};
   plan.most_goals = 10;
   plan.asked.seed = 3;
+  plan.asked.settings.seeds = config::Seeds::consecutive;
   plan.asked.search.algorithm = "spsa";
   plan.search_pairs = 60;
   plan.asked.selection.finalists = 3;
@@ -75,14 +76,15 @@ inline double override_of(const campaign::Job& job, const std::string& path) {
 }
 
 // Goals by quality and luck, which is that of the seed and the side; overlap of 5 s less as many seconds in 600 s.
-inline campaign::Decided decided_by(const study::TuningPlan& plan, const campaign::Job& job, const Quality& quality) {
+inline campaign::MatchResult decided_by(const study::TuningPlan& plan, const campaign::Job& job,
+                                        const Quality& quality) {
   const std::string& own_path = job.overrides.front();
   const std::size_t side = own_path.starts_with("home.") ? 0 : 1;
   const double of = quality(override_of(job, plan.parameters[0].path), override_of(job, plan.parameters[1].path));
   std::mt19937_64 luck(2 * job.seed + side);
   const double shift = static_cast<double>(luck() >> 11) * 0x1p-53 * 4.0 - 2.0;
   const int difference = static_cast<int>(std::lround(of + shift));
-  campaign::Decided out;
+  campaign::MatchResult out;
   out.score[side] = std::max(difference, 0);
   out.score[1 - side] = std::max(-difference, 0);
   out.ended = "full_time";
@@ -99,16 +101,16 @@ inline std::string text_of(const TuningView& view) { return outline_text(tuning_
 
 struct Stopped {};
 
-using Decide = std::function<campaign::Decided(const campaign::Job&)>;
+using Decide = std::function<campaign::MatchResult(const campaign::Job&)>;
 
 // Plays by `decide`, and counts; after so many matches it is stopped as by Ctrl-C.
-inline study::PlayMatches played_by(const Decide& decide, std::uint64_t& played,
-                                    std::uint64_t most = ~std::uint64_t{0}) {
-  return [&decide, &played, most](const study::MatchList& list, const study::TakeMatch& take) {
-    for (std::size_t i = 0; i < list.matches.size(); ++i) {
+inline study::PlayRound played_by(const Decide& decide, std::uint64_t& played, std::uint64_t most = ~std::uint64_t{0}) {
+  return [&decide, &played, most](const study::Round& round) {
+    for (std::uint64_t i = 0; i < round.matches; ++i) {
       if (played == most) throw Stopped{};
       ++played;
-      if (!take(i, decide(list.job(i)))) return;
+      const campaign::MatchResult decided = decide(round.job(i));
+      if (!round.take(i, &decided)) return;
     }
   };
 }
@@ -134,7 +136,7 @@ struct TunedCourse {
  private:
   void run(const Decide& decide, std::uint64_t most) {
     try {
-      tune(plan, {played_by(decide, played, most), {}}, record);
+      tune(plan, played_by(decide, played, most), {}, record);
     } catch (const Stopped&) {
     }
   }

@@ -5,7 +5,7 @@
 #include <map>
 #include <sstream>
 
-#include "report/tuning_numbers.hpp"
+#include "report/tuning_report.hpp"
 #include "texts/json.hpp"
 #include "tuning_course.hpp"
 
@@ -27,7 +27,7 @@ struct Ledger {
   using Team = std::pair<double, double>;
   std::map<Team, std::map<std::uint64_t, double>> sums;
 
-  void take(const study::TuningPlan& plan, const campaign::Job& job, const campaign::Decided& decided) {
+  void take(const study::TuningPlan& plan, const campaign::Job& job, const campaign::MatchResult& decided) {
     const std::size_t side = job.overrides.front().starts_with("home.") ? 0 : 1;
     const auto& opponent = side == 0 ? job.away_inputs : job.home_inputs;
     const double weight = opponent.front().hash == "document of fixed_rate" ? 0.75 : 0.25;
@@ -45,7 +45,7 @@ TEST(TuningJson, NumbersAreThoseOfTheMatches) {
   const study::TuningPlan plan = tuning_plan();
   std::map<TuningStage, Ledger> ledgers;
   const TunedCourse course(plan, [&](const campaign::Job& job) {
-    campaign::Decided decided = decided_by(plan, job, peak);
+    campaign::MatchResult decided = decided_by(plan, job, peak);
     ledgers[static_cast<TuningStage>(job.seed >> 50)].take(plan, job, decided);
     return decided;
   });

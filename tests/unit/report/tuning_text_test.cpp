@@ -5,8 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "report/tuned_file.hpp"
-#include "report/tuning_sentences.hpp"
+#include "report/tuning_report.hpp"
 #include "tuning_course.hpp"
 
 namespace regista::report {
@@ -136,7 +135,7 @@ TEST(TuningText, WhoForfeitsAMatchOfTheVerificationIsNotTakenForBetter) {
   const study::TuningPlan plan = tuning_plan();
   bool broken = false;
   const TunedCourse course(plan, [&](const campaign::Job& job) {
-    campaign::Decided decided = decided_by(plan, job, peak);
+    campaign::MatchResult decided = decided_by(plan, job, peak);
     if (stage_of(job) == TuningStage::verification && !is_of_base(plan, job) && !broken) {
       broken = true;
       return campaign::forfeit({0, "greedy", "assign", 3, 417, "Segmentation\nfault"}, 1.0);
@@ -259,7 +258,7 @@ TEST(TuningStanding, ShowsWhereItIs) {
     return decided_by(plan, job, peak);
   };
   std::uint64_t played = 0;
-  tune(plan, {played_by(decide, played), {}}, record);
+  tune(plan, played_by(decide, played), {}, record);
   standings += tuning_standing({plan, record, ""});
   EXPECT_THAT(standings,
               AllOf(HasSubstr("search, evaluation 0 of at most 60; matches asked for: 4 of at most 2424\n"),

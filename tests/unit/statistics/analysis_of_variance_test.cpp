@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "statistics/analysis_of_variance.hpp"
+#include "statistics/moments.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
-
-#include "statistics/distributions.hpp"
 
 namespace regista::statistics {
 namespace {

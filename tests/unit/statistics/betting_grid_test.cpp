@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Against the sequence and the test of betting.hpp, which remember all values and search for their bounds.
-#include "statistics/betting_grid.hpp"
+// Against a BettingTest for each mean of the grid.
+#include "statistics/anytime_valid_tests.hpp"
 
 #include <gmock/gmock.h>
 
@@ -35,27 +35,30 @@ TEST(BettingGrid, KnowsNothingBeforeTheFirstValue) {
   EXPECT_EQ(grid.finding(0.0), Finding::none);
 }
 
-// Between the exact sequence, cut with all those before it, and the same made wider by a step on either side.
-TEST(BettingGrid, IsTheRunningIntersectionToWithinAStep) {
-  constexpr int steps = 400;
-  constexpr double step = 20.0 / steps, rounding = 1e-7;
+// A test of its own for each mean, none of which is ever left out, gives the very same interval.
+TEST(BettingGrid, IsTheRunningIntersectionOfTests) {
+  constexpr int steps = 200;
+  constexpr double step = 20.0 / steps;
   for (const double advantage : {-0.6, 0.0, 0.3, 2.0}) {
     std::mt19937_64 random(11);
     BettingGrid grid({-10, 10, 0.05}, steps);
-    BettingSequence exact({-10, 10, 0.05});
-    Interval cut{-10, 10};
+    std::vector<BettingTest> tests;
+    for (int i = 1; i < steps; ++i) tests.emplace_back(BettingDesign{-10, 10, 0.05}, -10 + i * step);
     double sum = 0.0;
     for (int i = 1; i <= 400; ++i) {
       const double value = goals(random, advantage);
       sum += value;
       grid.add(value);
-      exact.add(value);
-      const Interval now = exact.interval(), found = grid.interval();
-      cut = {std::max(cut.low, now.low), std::min(cut.high, now.high)};
-      ASSERT_LE(found.low, cut.low + rounding) << i;
-      ASSERT_GE(found.high, cut.high - rounding) << i;
-      ASSERT_GE(found.low, cut.low - step - rounding) << i;
-      ASSERT_LE(found.high, cut.high + step + rounding) << i;
+      Interval exact{-10, 10};
+      for (int k = 1; k < steps; ++k) {
+        BettingTest& test = tests[static_cast<std::size_t>(k - 1)];
+        test.add(value);
+        const double mean = -10 + k * step;
+        if (test.finding() == Finding::above) exact.low = std::max(exact.low, mean);
+        if (test.finding() == Finding::below) exact.high = std::min(exact.high, mean);
+      }
+      ASSERT_NEAR(grid.interval().low, exact.low, 1e-12) << i;
+      ASSERT_NEAR(grid.interval().high, exact.high, 1e-12) << i;
       ASSERT_EQ(grid.values(), i);
       ASSERT_NEAR(grid.mean(), sum / i, 1e-12);
     }

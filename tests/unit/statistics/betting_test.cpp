@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "statistics/betting.hpp"
+#include "statistics/anytime_valid_tests.hpp"
 
 #include <gmock/gmock.h>
 
@@ -113,69 +113,6 @@ TEST(BettingTest, EvenPairsAreNoEvidence) {
   for (int i = 0; i < 10000; ++i) test.add(0.0);
   EXPECT_EQ(test.finding(), BettingTest::Finding::none);
   EXPECT_EQ(test.p(), 1.0);
-}
-
-TEST(BettingSequence, ExcludesWhatTheTestRejects) {
-  std::mt19937_64 random(7);
-  const BettingDesign design{-10, 10, 0.05};
-  std::vector<double> values;
-  for (int i = 0; i < 300; ++i) values.push_back(goals(random, 0.03));
-  BettingSequence sequence(design);
-  for (const double value : values) sequence.add(value);
-  const Interval interval = sequence.interval();
-  EXPECT_TRUE(interval.contains(sequence.mean()));
-  for (double mean = -9.9; mean < 9.95; mean += 0.1) {
-    BettingTest test(design, mean);
-    for (const double value : values) test.add(value);
-    EXPECT_EQ(test.log_evidence() < std::log(20.0), interval.contains(mean)) << mean;
-  }
-}
-
-TEST(BettingSequence, ShrinksAndMirrors) {
-  std::mt19937_64 random(8);
-  BettingSequence one({-10, 10, 0.05}), other({-10, 10, 0.05});
-  EXPECT_EQ(one.interval().low, -10.0);
-  EXPECT_EQ(one.interval().high, 10.0);
-  double before = 20.0;
-  for (int i = 1; i <= 4096; ++i) {
-    const double value = goals(random, 0.02);
-    one.add(value);
-    other.add(-value);
-    if ((i & (i - 1)) != 0 || i < 16) continue;
-    const Interval interval = one.interval();
-    EXPECT_LT(interval.high - interval.low, before) << i;
-    before = interval.high - interval.low;
-    EXPECT_NEAR(interval.low, -other.interval().high, 1e-8);
-    EXPECT_NEAR(interval.high, -other.interval().low, 1e-8);
-  }
-  EXPECT_TRUE(one.interval().contains(12 * 0.02));
-  // The values have a standard deviation of about 1.5 in a range of 20: Hoeffding's bound would need four times this.
-  EXPECT_LT(before, 0.5);
-}
-
-TEST(BettingSequence, ValuesAtTheEdgesOfTheRange) {
-  for (const double value : {0.0, 1.0}) {
-    BettingSequence sequence({0, 1, 0.05});
-    for (int i = 0; i < 500; ++i) sequence.add(value);
-    const Interval interval = sequence.interval();
-    EXPECT_TRUE(interval.contains(value));
-    EXPECT_LT(interval.high - interval.low, 0.05);
-  }
-}
-
-TEST(BettingSequence, CoversTheMeanAtAllTimes) {
-  int missed = 0;
-  for (unsigned tournament = 0; tournament < 300; ++tournament) {
-    std::mt19937_64 random(1000 + tournament);
-    BettingSequence sequence({-10, 10, 0.1});
-    bool always = true;
-    for (int i = 1; i <= 200; ++i) {
-      sequence.add(goals(random, 0.04));
-      if (i % 10 == 0) always = always && sequence.interval().contains(12 * 0.04);
-    }
-    missed += always ? 0 : 1;
-  }
-  EXPECT_LE(missed, 30);  // 10 %
 }
 
 }  // namespace

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "pair_laws.hpp"
-#include "statistics/bradley_terry.hpp"
-#include "statistics/distributions.hpp"
-#include "statistics/paired_t.hpp"
+#include "statistics/moments.hpp"
+#include "statistics/paired_tests.hpp"
+#include "statistics/rating.hpp"
 
 namespace regista::statistics {
 namespace {
@@ -27,7 +27,7 @@ TEST(Coverage, OfNormalizedElo) {
   for (int draw = 0; draw < many; ++draw) {
     const Estimate estimate = normalized_elo(score_law(draws.pairs(law, 100)));
     found.add(estimate.interval, 300.0);
-    const double margin = normalized_elo_scale * central_normal(0.95) / std::sqrt(200.0);
+    const double margin = normalized_elo_scale * 1.959964 / std::sqrt(200.0);
     with_known_spread.add({estimate.value - margin, estimate.value + margin}, 300.0);
   }
   EXPECT_EQ(found.given, many);

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Likelihood ratios against numbers of other programs, and the constrained laws beneath them against brute force.
-#include "statistics/likelihood_ratio.hpp"
+#include "statistics/sequential_test.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <random>
 
-#include "statistics/constrained_law.hpp"
 #include "statistics/rating.hpp"
 
 namespace regista::statistics {

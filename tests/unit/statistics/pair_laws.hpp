@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "match/random_words.hpp"
+#include "match/chance.hpp"
 #include "statistics/counts.hpp"
 #include "statistics/rating.hpp"
 
@@ -68,23 +68,32 @@ enum class Family {
   logistic,  // two independent games, drawn within 200 Elo: 52 % of games between equals
   football,  // 1.3 goals a side and game, scenes that are a little unequal
   scenes,    // short games: 0.25 goals a side, unequal scenes
+  decided,   // 4 : 1 : 2 : 1 : 4, tilted: most pairs are won or lost twice
+  even,      // 1 : 12 : 74 : 12 : 1, tilted: most pairs are even; not of all_families
 };
-inline constexpr std::array all_families{Family::tilted, Family::logistic, Family::football, Family::scenes};
+inline constexpr std::array all_families{Family::tilted, Family::logistic, Family::football, Family::scenes,
+                                         Family::decided};
 
 inline const char* name(Family family) {
-  constexpr std::array names{"tilted", "logistic", "football", "scenes"};
+  constexpr std::array names{"tilted", "logistic", "football", "scenes", "decided", "even"};
   return names[static_cast<std::size_t>(family)];
+}
+
+inline PairLaw tilted(PairLaw law, double strength) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < law.size(); ++i) sum += law[i] *= std::exp(strength * static_cast<double>(i));
+  for (double& each : law) each /= sum;
+  return law;
 }
 
 inline PairLaw pair_law(Family family, double strength) {
   switch (family) {
-    case Family::tilted: {
-      PairLaw law{1.0, 2.0, 4.0, 2.0, 1.0};
-      double sum = 0.0;
-      for (std::size_t i = 0; i < law.size(); ++i) sum += law[i] *= std::exp(strength * static_cast<double>(i));
-      for (double& each : law) each /= sum;
-      return law;
-    }
+    case Family::tilted:
+      return tilted({1.0, 2.0, 4.0, 2.0, 1.0}, strength);
+    case Family::decided:
+      return tilted({4.0, 1.0, 2.0, 1.0, 4.0}, strength);
+    case Family::even:
+      return tilted({1.0, 12.0, 74.0, 12.0, 1.0}, strength);
     case Family::logistic: {
       const GameLaw game = logistic_game(400.0 * strength, 200.0);
       return pair_of(game, game);
@@ -97,14 +106,18 @@ inline PairLaw pair_law(Family family, double strength) {
   return poisson_pair(strength, 0.25, 0.8);
 }
 
-// The law of a family with this normalised Elo, 0 or above.
-inline PairLaw pair_law_of_normalized_elo(Family family, double elo) {
+// The law of a family of which a number that grows with strength has this value, that of equal teams or above.
+inline PairLaw pair_law_with(Family family, double (*number)(const PairLaw&), double wanted) {
   double low = 0.0, high = 4.0;
   for (int step = 0; step < 60; ++step) {
     const double middle = (low + high) / 2.0;
-    (true_normalized_elo(pair_law(family, middle)) < elo ? low : high) = middle;
+    (number(pair_law(family, middle)) < wanted ? low : high) = middle;
   }
   return pair_law(family, low);
+}
+inline PairLaw pair_law_of_score(Family family, double score) { return pair_law_with(family, mean_score, score); }
+inline PairLaw pair_law_of_normalized_elo(Family family, double elo) {
+  return pair_law_with(family, true_normalized_elo, elo);
 }
 
 // Draws of one cell of a table: a stream of its own, named by the seed and the cell.

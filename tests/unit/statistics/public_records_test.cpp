@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "statistics/likelihood_ratio.hpp"
+#include "statistics/sequential_test.hpp"
 
 namespace regista::statistics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "statistics/quantile.hpp"
+#include "statistics/moments.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,9 @@ TEST(Quantile, OfAPublishedSample) {
   const std::vector<double> cars{21.0, 21.0, 22.8, 21.4, 18.7, 18.1, 14.3, 24.4, 22.8, 19.2, 17.8,
                                  16.4, 17.3, 15.2, 10.4, 10.4, 14.7, 32.4, 30.4, 33.9, 21.5, 15.5,
                                  15.2, 13.3, 19.2, 27.3, 26.0, 30.4, 15.8, 19.7, 15.0, 21.4};
-  const Quartiles of = quartiles(cars);
-  EXPECT_NEAR(of.lower, 15.425, 1e-12);
-  EXPECT_NEAR(of.median, 19.2, 1e-12);
-  EXPECT_NEAR(of.upper, 22.8, 1e-12);
+  EXPECT_NEAR(quantile(cars, 0.25), 15.425, 1e-12);
+  EXPECT_NEAR(quantile(cars, 0.5), 19.2, 1e-12);
+  EXPECT_NEAR(quantile(cars, 0.75), 22.8, 1e-12);
   EXPECT_EQ(quantile(cars, 0.0), 10.4);
   EXPECT_EQ(quantile(cars, 1.0), 33.9);
 }
@@ -29,12 +28,12 @@ TEST(Quantile, IsLinearBetweenOrderedValues) {
 }
 
 TEST(Quantile, OfOneAndOfTwo) {
-  EXPECT_EQ(quartiles(std::vector<double>{3.5}).lower, 3.5);
-  EXPECT_EQ(quartiles(std::vector<double>{3.5}).upper, 3.5);
-  const Quartiles two = quartiles(std::vector<double>{2.0, 0.0});
-  EXPECT_EQ(two.lower, 0.5);
-  EXPECT_EQ(two.median, 1.0);
-  EXPECT_EQ(two.upper, 1.5);
+  const std::vector<double> one{3.5}, two{2.0, 0.0};
+  EXPECT_EQ(quantile(one, 0.25), 3.5);
+  EXPECT_EQ(quantile(one, 0.75), 3.5);
+  EXPECT_EQ(quantile(two, 0.25), 0.5);
+  EXPECT_EQ(quantile(two, 0.5), 1.0);
+  EXPECT_EQ(quantile(two, 0.75), 1.5);
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
 #include <vector>
 
-#include "statistics/bradley_terry.hpp"
-#include "statistics/distributions.hpp"
-#include "statistics/nash.hpp"
+#include "statistics/moments.hpp"
 #include "statistics/rating.hpp"
 
 namespace regista::statistics {
@@ -144,6 +143,33 @@ TEST(BradleyTerry, IntervalsHoldWhatTheySay) {
     }
   }
   EXPECT_NEAR(static_cast<double>(inside) / all, 0.95, 0.02);
+}
+
+// Against the closure of "played each other", by brute force.
+TEST(GroupsThatMet, AreThoseThatResultsConnect) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 300; ++round) {
+    const std::size_t teams = 1 + random() % 9;
+    std::vector<std::vector<bool>> met(teams, std::vector<bool>(teams));
+    std::vector<Encounter> encounters;
+    for (std::size_t i = 0; i < teams; ++i) met[i][i] = true;
+    for (auto games = random() % (teams + 2); games > 0 && teams > 1; --games) {
+      const std::size_t one = random() % teams, other = (one + 1 + random() % (teams - 1)) % teams;
+      const Count draws = random() % 4 == 0 ? 0 : 1;  // an encounter without a game connects nobody
+      encounters.push_back({one, other, {}, {{0, draws, 0}}});
+      if (draws > 0) met[one][other] = met[other][one] = true;
+    }
+    for (std::size_t by = 0; by < teams; ++by) {
+      for (std::size_t i = 0; i < teams; ++i) {
+        for (std::size_t j = 0; j < teams; ++j) met[i][j] = met[i][j] || (met[i][by] && met[by][j]);
+      }
+    }
+    const std::vector<std::size_t> groups = groups_that_met(teams, encounters);
+    for (std::size_t i = 0; i < teams; ++i) {
+      const auto first = std::find(met[i].begin(), met[i].end(), true) - met[i].begin();
+      EXPECT_EQ(groups[i], static_cast<std::size_t>(first));
+    }
+  }
 }
 
 TEST(BradleyTerry, NoInformation) {

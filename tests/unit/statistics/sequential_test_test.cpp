@@ -45,7 +45,7 @@ TEST(Overshoot, OfEqualStepsIsHalfAStep) {
 }
 
 TEST(SequentialTest, TellsTheRatioOfItsCounts) {
-  SequentialTest<PairCounts> test({Model::logistic, {0, 10}, {}, false});
+  SequentialTest test({Model::logistic, {0, 10}, {}, false});
   std::mt19937_64 random(4);
   EXPECT_EQ(test.ratio().value, 0.0);
   for (int i = 0; i < 100; ++i) test.add(drawn(random, {1, 2, 3, 2, 1}));
@@ -56,7 +56,7 @@ TEST(SequentialTest, TellsTheRatioOfItsCounts) {
 
 TEST(SequentialTest, StopsAndStays) {
   for (const bool better : {true, false}) {
-    SequentialTest<PairCounts> test({Model::normalized, {-20, 20}, {}, true});
+    SequentialTest test({Model::normalized, {-20, 20}, {}, true});
     std::mt19937_64 random(5);
     const std::array<int, 5> weights = better ? std::array{1, 2, 4, 4, 3} : std::array{3, 4, 4, 2, 1};
     int fed = 0;
@@ -75,8 +75,7 @@ TEST(SequentialTest, StopsAndStays) {
 
 TEST(SequentialTest, CorrectionStopsNoLater) {
   for (unsigned seed = 0; seed < 20; ++seed) {
-    SequentialTest<PairCounts> with({Model::normalized, {0, 40}, {}, true}),
-        without({Model::normalized, {0, 40}, {}, false});
+    SequentialTest with({Model::normalized, {0, 40}, {}, true}), without({Model::normalized, {0, 40}, {}, false});
     std::mt19937_64 random(seed);
     for (int i = 0; i < 5000 && without.verdict() == Verdict::inconclusive; ++i) {
       const PairOutcome outcome = drawn(random, {2, 3, 4, 3, 2});
@@ -95,12 +94,12 @@ TEST(SequentialTest, CorrectionStopsNoLater) {
 // hypotheses as far on either side they never decide.
 TEST(SequentialTest, EqualTeamsAreNotStronger) {
   const double n1 = 50 / normalized_elo_scale, step = std::log(1 + 2 * n1 * n1);
-  SequentialTest<PairCounts> test({Model::normalized, {0, 50}, {}, true});
+  SequentialTest test({Model::normalized, {0, 50}, {}, true});
   int fed = 0;
   while (fed < 20000 && test.add(PairOutcome::even) == Verdict::inconclusive) ++fed;
   EXPECT_EQ(test.verdict(), Verdict::accept_h0);
   EXPECT_NEAR(fed, (2.944439 - step / 2) / step, 2.0);
-  SequentialTest<PairCounts> between({Model::normalized, {-50, 50}, {}, true});
+  SequentialTest between({Model::normalized, {-50, 50}, {}, true});
   for (int i = 0; i < 5000; ++i) ASSERT_EQ(between.add(PairOutcome::even), Verdict::inconclusive);
 }
 
@@ -111,14 +110,6 @@ TEST(SequentialTest, HopelessTeamIsRejected) {
   EXPECT_EQ(verdict_on(log_likelihood_ratio(score_law(PairCounts{{144, 3, 1, 0, 0}}), Model::normalized, {-1500, -500}),
                        sequential_bounds({})),
             Verdict::accept_h0);
-}
-
-TEST(SequentialTest, OfSingleGames) {
-  SequentialTest<GameCounts> test({Model::logistic, {0, 100}, {}, true});
-  for (int i = 0; i < 1000 && test.verdict() == Verdict::inconclusive; ++i) {
-    test.add(i % 3 == 0 ? GameOutcome::draw : GameOutcome::win);
-  }
-  EXPECT_EQ(test.verdict(), Verdict::accept_h1);
 }
 
 }  // namespace

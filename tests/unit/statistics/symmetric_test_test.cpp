@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "statistics/symmetric_test.hpp"
+#include "statistics/anytime_valid_tests.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The baselines against the closed forms of mechanics, and against small steps.
-#include "study/prediction/baseline.hpp"
+#include "study/prediction/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/prediction/error_ratios.hpp"
+#include "study/prediction/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "study/prediction/observations.hpp"
+#include "study/prediction/forecast.hpp"
 
 namespace regista::study {
 namespace {

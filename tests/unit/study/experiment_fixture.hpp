@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
-#include "study/experiment.hpp"
+#include "campaign/match_encoding.hpp"
+#include "study/experiment_course.hpp"
 
 namespace regista::study {
 
@@ -28,7 +28,9 @@ inline ExperimentPlan experiment_of(std::size_t arms, std::size_t values, std::u
   }
   asked.matches = static_cast<int>(2 * pairs);
   asked.seed = 7;
+  asked.settings.seeds = config::Seeds::consecutive;
   asked.primary.emplace().measure = "striker.overlap_seconds";
+  asked.primary->test = PairTest::paired_t;
   make_jobs(plan, {});
   for (Condition& condition : plan.conditions) {
     for (const std::size_t side : {0u, 1u}) {
@@ -52,9 +54,9 @@ inline void compare(ExperimentPlan& plan, const std::vector<Comparison>& compari
 }
 
 // The team on `side` has these numbers, the other one others.
-inline campaign::Decided played(std::size_t side, double overlap, int packets, int own, int other,
-                                double playing_seconds = 600.0) {
-  campaign::Decided out;
+inline campaign::MatchResult played(std::size_t side, double overlap, int packets, int own, int other,
+                                    double playing_seconds = 600.0) {
+  campaign::MatchResult out;
   out.score[side] = own;
   out.score[1 - side] = other;
   out.ended = "full_time";

@@ -145,6 +145,24 @@ TEST(ExperimentPlan, EveryDifferenceIsNamed) {
               ElementsAre(HasSubstr("opening s")));
 }
 
+TEST(ExperimentPlan, IsGoneOnWithAfterTheClockStoppedIt) {
+  ExperimentPlan plan = experiment_of(2, 1, 50);
+  plan.ended_after = 8;
+  const ExperimentPlan back = experiment_plan_from_json(to_json(plan));
+  EXPECT_EQ(back.ended_after, 8u);
+  EXPECT_EQ(back.pairs_to_its_end(), 8u);
+  const ExperimentPlan on = without_end(back);
+  EXPECT_EQ(on.pairs_to_its_end(), 50u);
+  EXPECT_EQ(on.pairs_before, "8");
+  const ExperimentPlan more = with_pairs(on, 70);
+  EXPECT_EQ(more.pairs, 70u);
+  EXPECT_EQ(more.asked.matches, 140);
+  EXPECT_EQ(experiment_plan_from_json(to_json(more)).pairs_before, "8, 50");
+  EXPECT_THROW(with_pairs(more, 60), std::invalid_argument);
+  plan.ended_after = 51;
+  EXPECT_THROW(experiment_plan_from_json(to_json(plan)), std::invalid_argument);
+}
+
 TEST(ExperimentPlan, EqualConditionsAreKnown) {
   ExperimentPlan plan = experiment_of(2, 1, 2);
   EXPECT_FALSE(equal_conditions(plan, {0, 1}));

@@ -8,16 +8,16 @@
 #include <random>
 
 #include "experiment_fixture.hpp"
-#include "statistics/sign_flip.hpp"
-#include "study/either_way.hpp"
+#include "statistics/paired_tests.hpp"
+#include "study/paired_estimates.hpp"
 
 namespace regista::study {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
-campaign::Decided unplayed() {
-  campaign::Decided out;
+campaign::MatchResult unplayed() {
+  campaign::MatchResult out;
   out.ended = "set_aside";
   out.why_set_aside = "Aborted";
   return out;
@@ -35,8 +35,10 @@ std::vector<Finding> found(const ExperimentPlan& plan, const Shown& shown, Exper
     const bool missing = std::isnan(value) && trial.side == 1;
     course.take(missing ? unplayed() : played(trial.side, std::isnan(value) ? 50.0 : value, 10, 1, 1));
   }
-  return findings(plan, course);
+  return findings(plan, course).comparisons;
 }
+
+Contrast difference(const PartlyPlayed& first, const PartlyPlayed& second) { return {{first, second}, {1.0, -1.0}}; }
 
 std::vector<Finding> found(const ExperimentPlan& plan, const Shown& shown) {
   Experiment course(plan);
@@ -156,8 +158,8 @@ TEST(ExperimentUnplayed, AMissingPairMayHoldTheLargestDifferenceSeen) {
   unplayed.back() = true;
   for (const PairTest test : {PairTest::paired_t, PairTest::sign_flip}) {
     EXPECT_LT(p_of_difference(first, second, test)->p, 0.01);
-    EXPECT_EQ(p_either_way({first, unplayed}, {second, unplayed}, test), 1.0);
-    EXPECT_EQ(p_either_way({second, unplayed}, {first, unplayed}, test), 1.0);
+    EXPECT_EQ(p_either_way(difference({first, unplayed}, {second, unplayed}), test), 1.0);
+    EXPECT_EQ(p_either_way(difference({second, unplayed}, {first, unplayed}), test), 1.0);
   }
 }
 
@@ -165,8 +167,8 @@ TEST(ExperimentUnplayed, ForfeitsAreMissingAsBefore) {
   const std::vector<double> first{5, 6, nothing, 8, 9, 7}, second{1, 2, 3, 2, 1, 2};
   const std::vector<bool> none(6, false);
   const auto alone = p_of_difference(first, second, PairTest::paired_t);
-  EXPECT_EQ(p_either_way({first, none}, {second, none}, PairTest::paired_t), alone->p);
-  EXPECT_EQ(unplayed_pairs({first, none}, {second, none}), 0u);
+  EXPECT_EQ(p_either_way(difference({first, none}, {second, none}), PairTest::paired_t), alone->p);
+  EXPECT_EQ(unplayed_pairs(difference({first, none}, {second, none})), 0u);
 }
 
 }  // namespace

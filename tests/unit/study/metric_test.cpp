@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "study/metric.hpp"
+#include "study/measure.hpp"
 
 #include <gmock/gmock.h>
 
 #include <string>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
 #include "match/side.hpp"
 
 namespace regista::study {

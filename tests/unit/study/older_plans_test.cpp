@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plans that Regista 0.2.0 wrote of small studies (tests/fixtures/plans_of_version_1; lists of hashes were cut), read
 // as today's: they ask for the same matches.
-#include "study/older_plans.hpp"
+#include "study/plan_fields.hpp"
 
 #include <gmock/gmock.h>
 

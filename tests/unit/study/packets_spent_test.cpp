@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What teams spend in short games: read from the metrics of matches, and
 // counted over tournaments and experiments, compared with sums made by hand.
-#include "study/packets_spent.hpp"
+#include "study/measure.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "experiment_fixture.hpp"
-#include "study/tournament.hpp"
+#include "study/tournament_course.hpp"
 #include "tournament_fixture.hpp"
 
 namespace regista::study {
@@ -50,9 +50,23 @@ TEST(PacketsSpent, WhoSpendsTheShareDoesNotOverspend) {
     packets.add({share, share, 0.0});
     EXPECT_FALSE(packets.overspent());
   }
-  packets.add({0.2, 0.1, 0.1});
-  EXPECT_TRUE(packets.overspent());
+  packets.add({0.2, 0.1, 0.1});  // 0.03 % more of all 300
+  EXPECT_FALSE(packets.overspent());
   EXPECT_EQ(packets.games(), 1001);
+}
+
+TEST(PacketsSpent, MoreThanFivePercentAboveTheShareAreOverspent) {
+  const auto overspent = [](double spent) {
+    PacketsSpent packets;
+    packets.add({spent, 40.0, spent - 40.0});
+    return packets.overspent();
+  };
+  EXPECT_FALSE(overspent(41.0));
+  EXPECT_FALSE(overspent(42.0));
+  EXPECT_TRUE(overspent(42.5));
+  PacketsSpent nothing_to_spend;
+  nothing_to_spend.add({0.0, 0.0, 0.0});
+  EXPECT_FALSE(nothing_to_spend.overspent());
 }
 
 TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
@@ -64,7 +78,7 @@ TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
       plan.asked.settings.limit = 30;
     Tournament course(plan);
     EXPECT_EQ(course.metrics(), campaign::Metrics::packets);
-    const auto take = [&course](const campaign::Decided& decided) { course.take(&decided); };
+    const auto take = [&course](const campaign::MatchResult& decided) { course.take(&decided); };
     // 0 against 1, 0 against 2, 1 against 2; each at home, then away.
     take(match(0, 0, metrics(40, 10)));
     take(match(0, 0, metrics(20, 50, 20)));
@@ -93,7 +107,7 @@ TEST(PacketsSpent, OfATournamentOfWholeMatchesNothingIsRead) {
   const TournamentPlan plan = plan_of(2, 1);
   Tournament course(plan);
   EXPECT_EQ(course.metrics(), campaign::Metrics::left_out);
-  const campaign::Decided decided = match(0, 0, metrics(40, 40));
+  const campaign::MatchResult decided = match(0, 0, metrics(40, 40));
   course.take(&decided);
   EXPECT_EQ(course.packets(0).games(), 0);
 }
@@ -103,7 +117,7 @@ TEST(PacketsSpent, OfAnExperimentAreThoseOfTheArmsTeamInPairsThatHaveValues) {
   Experiment course(plan);
   for (std::uint64_t index = 0; index < plan.matches(); ++index) {
     const Trial each = trial(plan, index);
-    campaign::Decided decided = played(each.side, 1.0, 0, 0, 0);
+    campaign::MatchResult decided = played(each.side, 1.0, 0, 0, 0);
     const double own = each.condition == 0 ? 40.0 : 10.0 + static_cast<double>(each.pair);
     decided.metrics = campaign::metrics_from_json(each.side == 0 ? metrics(own, 500.0) : metrics(500.0, own));
     // A forfeit at home, and one away.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Recordings as they should be, and all that may be wrong with them: what is said, and at which place.
-#include "study/prediction/recording.hpp"
+#include "study/prediction/game_recording.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,13 +12,21 @@
 #include <limits>
 #include <string>
 
-#include "study/prediction/formats.hpp"
-
 namespace regista::study {
 namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+
+using Study = config::PredictorStudy;
+
+GameRecording read(const fs::path& file, Study::Format format, Study::Subject subject = Study::Subject::ball,
+                   const Progress& progress = {}) {
+  Study study;
+  study.format = format;
+  study.subject = subject;
+  return read_recording(study, file, {}, progress);
+}
 
 class Recordings : public testing::Test {
  protected:
@@ -64,7 +72,7 @@ class Recordings : public testing::Test {
 TEST_F(Recordings, OfTheBallAreReadInMetresWithTheStatesOfTheReferee) {
   const std::string text = "event,t,x_mm,y_mm\r\n3,1.9,-1500,250.5\r\n3,2.5,-1400,0\n\n4,0.5,0,0";
   for (const fs::path& file : {write("m_ball_raw.csv", text), compress("m_ball_raw.csv.gz", text)}) {
-    const GameRecording recording = read_ssl_ball(file, {}, {});
+    const GameRecording recording = read(file, Study::Format::ssl_ball);
     ASSERT_EQ(recording.stretches.size(), 2u);
     const Stretch& first = recording.stretches[0];
     EXPECT_EQ(first.number, 3);
@@ -84,7 +92,7 @@ TEST_F(Recordings, OfTheBallAreReadInMetresWithTheStatesOfTheReferee) {
 TEST_F(Recordings, OfRobotsTellThemApart) {
   const fs::path file =
       write("m_robots_raw.csv", "event,t,team,id,x_mm,y_mm,theta\n3,2,b,7,1000,0,0\n3,2,y,7,0,1000,0\n");
-  const GameRecording recording = read_ssl_robots(file, {}, {});
+  const GameRecording recording = read(file, Study::Format::ssl_robots, Study::Subject::opponents);
   ASSERT_EQ(recording.stretches.at(0).samples.size(), 2u);
   EXPECT_EQ(recording.stretches[0].samples[0].object, robot_object(1, 7));
   EXPECT_EQ(recording.stretches[0].samples[1].object, robot_object(2, 7));
@@ -93,7 +101,7 @@ TEST_F(Recordings, OfRobotsTellThemApart) {
 TEST_F(Recordings, OfTheSimulationAreTurnedToTheLeft) {
   const fs::path file =
       write("s.csv", "#,playmode,b_x,b_y\n1,kick_off_l,0,0\n2,play_on,1,2\n4,play_on,2,-3\n5,goal_l,0,0\n");
-  const GameRecording recording = read_simulation_2d(file, config::PredictorStudy::Subject::ball, {});
+  const GameRecording recording = read(file, Study::Format::simulation_2d);
   const Stretch& all = recording.stretches.at(0);
   ASSERT_EQ(all.samples.size(), 4u);
   EXPECT_DOUBLE_EQ(all.samples[1].time, 0.2);
@@ -102,10 +110,10 @@ TEST_F(Recordings, OfTheSimulationAreTurnedToTheLeft) {
   EXPECT_TRUE(all.runs_at(0.25));
   EXPECT_FALSE(all.runs_at(0.5));
   try {
-    read_simulation_2d(file, config::PredictorStudy::Subject::opponents, {});
+    read(file, Study::Format::simulation_2d, Study::Subject::opponents);
     FAIL() << "there are no players in it";
   } catch (const config::Error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("no column \"l1_x\""));
+    EXPECT_THAT(error.what(), HasSubstr("unknown column \"l1_x\" in this file"));
   }
 }
 
@@ -116,7 +124,7 @@ TEST_F(Recordings, ThatAreWrongAreRefusedAtThePlace) {
   EXPECT_EQ(complaint(head + "3,2,1e999,0\n"), "m_ball_raw.csv:3:5: x_mm: \"1e999\" is beyond all numbers");
   EXPECT_EQ(complaint(head + "3,2,12a,0\n"), "m_ball_raw.csv:3:5: x_mm: \"12a\" is no number");
   EXPECT_EQ(complaint(head + "3,2,,0\n"), "m_ball_raw.csv:3:5: x_mm: \"\" is no number");
-  EXPECT_EQ(complaint(head + "x,2,0,0\n"), "m_ball_raw.csv:3:1: event: \"x\" is no whole number");
+  EXPECT_EQ(complaint(head + "x,2,0,0\n"), "m_ball_raw.csv:3:1: event: \"x\" is no whole number from 0 to 1000000000");
   EXPECT_EQ(complaint(head + "3,0.5,0,0\n"), "m_ball_raw.csv:3:3: t: \"0.5\" runs backwards: the line before says 1");
   EXPECT_EQ(complaint(head + "4,0,0,0\n3,5,0,0\n"),
             "m_ball_raw.csv:4:1: event: \"3\" comes back; its lines began at line 2");
@@ -130,8 +138,8 @@ TEST_F(Recordings, ThatAreWrongAreRefusedAtThePlace) {
 TEST_F(Recordings, ThatAreNoneAreRefused) {
   EXPECT_EQ(complaint(""), "m_ball_raw.csv: is empty; expected a first line with the names of columns");
   EXPECT_EQ(complaint("event,t,x_mm,y_mm\n"), "m_ball_raw.csv: holds no detection");
-  EXPECT_THAT(complaint("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"), HasSubstr("m_ball_raw.csv:1:1: no column \"x_mm\""));
-  EXPECT_THAT(complaint("a,b\n1,2\n"), HasSubstr("no column \"x_mm\"; this file has: \"a\", \"b\""));
+  EXPECT_THAT(complaint("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"), HasSubstr("m_ball_raw.csv:1:1: byte 0x89 is not UTF-8"));
+  EXPECT_THAT(complaint("a,b\n1,2\n"), HasSubstr("unknown column \"x_mm\" in this file; known: a, b"));
   EXPECT_THAT(complaint(std::string(100'000, 'x')), HasSubstr("m_ball_raw.csv:1:1: is longer than 65536 bytes"));
   EXPECT_THAT(complaint("\x1f\x8b\x08" + std::string(300, 'x')), HasSubstr("m_ball_raw.csv:1:1: cannot be read on"));
   EXPECT_THAT(complaint_of(folder_), HasSubstr("is a folder, not a table"));
@@ -168,10 +176,10 @@ TEST_F(Recordings, CanBeStoppedWhileTheyAreRead) {
   for (int i = 0; i < 40'000; ++i) text += "3," + std::to_string(i) + ",0,0\n";
   struct Stopped {};
   std::size_t calls = 0;
-  EXPECT_THROW(read_ssl_ball(write("m_ball_raw.csv", text), {},
-                             [&](std::size_t) {
-                               if (++calls == 2) throw Stopped{};
-                             }),
+  EXPECT_THROW(read(write("m_ball_raw.csv", text), Study::Format::ssl_ball, Study::Subject::ball,
+                    [&](std::size_t) {
+                      if (++calls == 2) throw Stopped{};
+                    }),
                Stopped);
 }
 

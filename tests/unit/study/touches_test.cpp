@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/prediction/touches.hpp"
+#include "study/prediction/evaluation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/metric_json.hpp"
+#include "campaign/match_encoding.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {
@@ -33,6 +33,7 @@ inline std::optional<config::TournamentTest> test_of(const Objective& objective)
 inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, const Objective& objective = FixedNumber{}) {
   TournamentPlan plan;
   plan.asked.name = "trial";
+  plan.asked.settings.seeds = config::Seeds::consecutive;
   for (std::size_t team = 0; team < teams; ++team) {
     const std::string number = std::to_string(team);
     plan.asked.teams.push_back({number + ".yaml", "", {}});
@@ -45,19 +46,19 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, const Obje
   return plan;
 }
 
-inline campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
+inline campaign::MatchResult match(int home, int away, const std::string& metrics = "{}") {
   return {{home, away}, "full_time", "h", campaign::metrics_from_json(metrics), std::nullopt, 1.0};
 }
 
 // side: 0 home, 1 away
-inline campaign::Decided failed(int side, const std::string& plugin = "greedy",
-                                const std::string& what = "Segmentation fault") {
+inline campaign::MatchResult failed(int side, const std::string& plugin = "greedy",
+                                    const std::string& what = "Segmentation fault") {
   return campaign::forfeit({side, plugin, "assign", 3, 417, what}, 1.0);
 }
 
 // One that could not be played.
-inline campaign::Decided unplayed(const std::string& why = "Segmentation fault, in no plugin's call") {
-  campaign::Decided out;
+inline campaign::MatchResult unplayed(const std::string& why = "Segmentation fault, in no plugin's call") {
+  campaign::MatchResult out;
   out.ended = "set_aside";
   out.why_set_aside = why;
   return out;

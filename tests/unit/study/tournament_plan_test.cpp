@@ -5,6 +5,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -65,6 +66,7 @@ void expect_same(const TournamentPlan& a, const TournamentPlan& b) {
   EXPECT_EQ(a.limits(), b.limits());
   EXPECT_EQ(a.most_goals, b.most_goals);
   EXPECT_EQ(a.pairs_before, b.pairs_before);
+  EXPECT_EQ(a.ended_after, b.ended_after);
   EXPECT_EQ(a.folder, b.folder);
   EXPECT_EQ(a.program, b.program);
   EXPECT_EQ(a.plugins, b.plugins);
@@ -79,6 +81,7 @@ TEST(TournamentPlan, SurvivesTheWayToAFile) {
   expect_same(tournament_plan_from_json(to_json(plan)), plan);
   plan.openings.clear();
   plan.pairs_before = "3, 5";
+  plan.ended_after = 1;
   plan.asked.format = config::Tournament::Format::round_robin;
   plan.asked.teams[1].disturbance = "own.yaml";
   plan.teams[1].disturbances = {{"home disturbance own", "h"}, {"away disturbance own", "a"}};
@@ -107,6 +110,34 @@ TEST(TournamentPlan, SurvivesTheWayToAFile) {
   ASSERT_TRUE(std::holds_alternative<ValueTest>(measured));
   EXPECT_EQ(std::get<ValueTest>(measured).value, "striker.overlap_seconds");
   EXPECT_EQ(std::get<ValueTest>(measured).alpha, 0.1);
+}
+
+// Pairs that are added after a look are reported; those of a sequential test need not be.
+TEST(TournamentPlan, IsGoneOnWithAfterTheClockStoppedIt) {
+  TournamentPlan plan = plan_of(2, 100);
+  EXPECT_EQ(plan.pairs_to_its_end(), 100u);
+  EXPECT_EQ(to_json(without_end(plan)), to_json(plan));
+  plan.ended_after = 37;
+  EXPECT_EQ(plan.pairs_to_its_end(), 37u);
+  const TournamentPlan on = without_end(plan);
+  EXPECT_EQ(on.pairs_to_its_end(), 100u);
+  EXPECT_EQ(on.pairs_before, "37");
+  const TournamentPlan fewer = with_pairs(plan, 60);
+  EXPECT_EQ(fewer.pairs_to_its_end(), 60u);
+  EXPECT_EQ(fewer.pairs_before, "37");
+  EXPECT_THROW(with_pairs(plan, 37), std::invalid_argument);
+  EXPECT_EQ(with_pairs(plan, 200).pairs(), 200u);
+  plan.asked.test = test_of(ValueTest{"goals"});
+  EXPECT_EQ(without_end(plan).pairs_before, "");
+  EXPECT_FALSE(without_end(plan).ended_after);
+}
+
+TEST(TournamentPlan, EndsAfterPairsThatItHas) {
+  for (const std::uint64_t after : {0u, 101u}) {
+    TournamentPlan plan = plan_of(2, 100);
+    plan.ended_after = after;
+    EXPECT_THROW(tournament_plan_from_json(to_json(plan)), std::invalid_argument) << after;
+  }
 }
 
 TEST(TournamentPlan, TextThatIsNoUtf8IsStillAPlan) {
@@ -227,6 +258,42 @@ TEST(Calendar, ThreeTeamsAndTwoOpeningsByHand) {
     EXPECT_EQ(fixture.swapped, i % 2 == 1) << i;
     EXPECT_EQ(fixture.pairing, i / 2 % 3) << i;
   }
+}
+
+// Who repeats a study with the next seed must not see its matches again.
+TEST(Seeds, OfNeighbouringStudiesShareNone) {
+  std::map<std::uint64_t, std::int64_t> seen;
+  for (std::int64_t seed = 0; seed < 300; ++seed) {
+    const std::uint64_t first = first_seed(seed, config::Seeds::hashed);
+    EXPECT_LT(first, std::uint64_t{1} << 32);
+    for (std::uint64_t pair = 0; pair < 1000; ++pair) {
+      const auto [place, fresh] = seen.emplace(first + pair, seed);
+      ASSERT_TRUE(fresh) << "seeds " << place->second << " and " << seed;
+    }
+  }
+  EXPECT_EQ(first_seed(7, config::Seeds::consecutive), 7u);
+}
+
+TEST(Seeds, OfAllPairingsOfAPairAreTheSame) {
+  TournamentPlan plan = plan_of(3, 4);
+  plan.asked.settings.seeds = config::Seeds::hashed;
+  const Calendar calendar(plan);
+  for (std::uint64_t i = 0; i < calendar.matches(); ++i)
+    EXPECT_EQ(calendar.at(i).seed, first_seed(plan.asked.seed, config::Seeds::hashed) + i / 6);
+}
+
+// Older plans do not say how their seeds follow.
+TEST(Seeds, OfOlderPlansAreConsecutive) {
+  auto json = nlohmann::ordered_json::parse(to_json(plan_of(2, 3)));
+  std::string document = json["document"];
+  const std::string line = "seeds: consecutive\n";
+  ASSERT_NE(document.find(line), std::string::npos) << document;
+  document.erase(document.find(line), line.size());
+  json["document"] = document;
+  EXPECT_EQ(tournament_plan_from_json(json.dump()).asked.settings.seeds, config::Seeds::consecutive);
+  TournamentPlan hashed = plan_of(2, 3);
+  hashed.asked.settings.seeds = config::Seeds::hashed;
+  EXPECT_EQ(tournament_plan_from_json(to_json(hashed)).asked.settings.seeds, config::Seeds::hashed);
 }
 
 TEST(Fixtures, EveryNumberIsUniqueAndMeansItsMatch) {

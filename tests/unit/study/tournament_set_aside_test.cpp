@@ -2,7 +2,7 @@
 // Teams whose plugins fail again and again: when they are set aside, and what becomes of the others.
 #include <gmock/gmock.h>
 
-#include "study/tournament.hpp"
+#include "study/tournament_course.hpp"
 #include "tournament_fixture.hpp"
 
 namespace regista::study {
@@ -24,7 +24,7 @@ class SetAsideTest : public testing::Test {
   bool forfeited_by(std::size_t team, const std::string& plugin = "greedy") {
     const Fixture fixture = course->calendar().at(course->taken());
     EXPECT_TRUE(team == nobody || team == fixture.home || team == fixture.away);
-    const campaign::Decided decided = team == nobody ? match(1, 0) : failed(team == fixture.home ? 0 : 1, plugin);
+    const campaign::MatchResult decided = team == nobody ? match(1, 0) : failed(team == fixture.home ? 0 : 1, plugin);
     return course->take(&decided);
   }
 
@@ -129,11 +129,11 @@ TEST_F(SetAsideTest, TheRestPlaysOnAndWhatIsIgnoredMayHoldAnything) {
       const Fixture fixture = course->calendar().at(index);
       if (course->wanted(index)) {
         const bool plays = fixture.home == 1 || fixture.away == 1;
-        const campaign::Decided decided = plays ? failed(fixture.home == 1 ? 0 : 1) : match(2, 1);
+        const campaign::MatchResult decided = plays ? failed(fixture.home == 1 ? 0 : 1) : match(2, 1);
         more = course->take(&decided);
       } else {
         EXPECT_TRUE(fixture.home == 1 || fixture.away == 1);
-        const campaign::Decided ignored = index % 2 == 0 ? match(9, 0) : failed(fixture.home == 1 ? 1 : 0);
+        const campaign::MatchResult ignored = index % 2 == 0 ? match(9, 0) : failed(fixture.home == 1 ? 1 : 0);
         more = course->take(held ? &ignored : nullptr);
       }
     }

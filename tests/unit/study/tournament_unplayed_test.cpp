@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "study/tournament.hpp"
+#include "study/tournament_course.hpp"
 #include "tournament_fixture.hpp"
 
 namespace regista::study {
@@ -30,7 +30,7 @@ std::string metrics(int of_home, int of_away) {
 }
 
 // A match in which a team has as many more packets as it has more goals.
-campaign::Decided match_of(int difference, bool first_at_home) {
+campaign::MatchResult match_of(int difference, bool first_at_home) {
   const int home = first_at_home ? difference : -difference;
   return match(std::max(home, 0), std::max(-home, 0), metrics(home, 0));
 }
@@ -46,8 +46,8 @@ End play(const TournamentPlan& plan, const Stream& stream) {
   Tournament course(plan);
   bool more = true;
   for (const std::optional<Played>& pair : stream) {
-    const campaign::Decided first = pair ? match_of(pair->goals[0], true) : unplayed(),
-                            second = pair ? match_of(pair->goals[1], false) : match_of(3, false);
+    const campaign::MatchResult first = pair ? match_of(pair->goals[0], true) : unplayed(),
+                                second = pair ? match_of(pair->goals[1], false) : match_of(3, false);
     EXPECT_TRUE(course.take(&first));
     more = course.take(&second);
     if (!more) break;
@@ -97,8 +97,8 @@ TEST(UnplayedPairs, CountNowhereAndLeaveTheirOtherMatchOut) {
     std::mt19937_64 random(1);
     for (int pair = 0; pair < 12; ++pair) {
       const int a = static_cast<int>(random() % 5) - 2, b = static_cast<int>(random() % 5) - 2;
-      const campaign::Decided home = match_of(a, true), away = match_of(b, false), big = match_of(9, true),
-                              none = unplayed();
+      const campaign::MatchResult home = match_of(a, true), away = match_of(b, false), big = match_of(9, true),
+                                  none = unplayed();
       if (pair % 4 == 1) {
         with.take(&none);
         with.take(&big);
@@ -135,8 +135,8 @@ TEST(UnplayedPairs, TheirForfeitsAreNoneAndTheirMatchesSayNothingOfARow) {
   TournamentPlan plan = plan_of(2, 100);
   plan.asked.failures_in_a_row = 3;
   Tournament course(plan);
-  const campaign::Decided by_home = failed(0), by_away = failed(1), other = failed(0, "other"), none = unplayed();
-  const auto pair = [&](const campaign::Decided& first, const campaign::Decided& second) {
+  const campaign::MatchResult by_home = failed(0), by_away = failed(1), other = failed(0, "other"), none = unplayed();
+  const auto pair = [&](const campaign::MatchResult& first, const campaign::MatchResult& second) {
     EXPECT_TRUE(course.take(&first));
     return course.take(&second);
   };
@@ -228,7 +228,7 @@ TEST(UnplayedPairs, OneAmongManyStopsNoVerdictForLong) {
 TEST(UnplayedPairs, OnlyTheirOwnPairingLacksThem) {
   const TournamentPlan plan = plan_of(3, 2);
   Tournament course(plan);
-  const campaign::Decided won = match(1, 0), none = unplayed();
+  const campaign::MatchResult won = match(1, 0), none = unplayed();
   for (std::uint64_t i = 0; i < plan.matches(); ++i) course.take(i == 3 ? &none : &won);
   EXPECT_EQ(course.meetings()[0].unplayed_pairs, 0u);
   EXPECT_EQ(course.meetings()[1].unplayed_pairs, 1u);
@@ -242,7 +242,7 @@ TEST(MatchRemarks, NamesTheFirstAndCountsAll) {
   const TournamentPlan plan = plan_of(2, 200);
   Tournament course(plan);
   for (std::uint64_t i = 0; i < plan.matches(); ++i) {
-    campaign::Decided decided = match(1, 0);
+    campaign::MatchResult decided = match(1, 0);
     if (i % 3 == 0) decided.irreproducible = "tick " + std::to_string(i);
     if (i % 2 == 1) decided.output = "a line\n";
     course.take(&decided);
@@ -261,7 +261,7 @@ TEST(MatchRemarks, NamesTheFirstAndCountsAll) {
 TEST(UnplayedPairs, AfterThreeMatchesOfAPairingThereIsNothingLeftToCompare) {
   const TournamentPlan plan = plan_of(3, 4);
   Tournament course(plan);
-  const campaign::Decided none = unplayed(), some = match_of(1, true);
+  const campaign::MatchResult none = unplayed(), some = match_of(1, true);
   // A pair of each of the three pairings, and again: two deaths in each of them, then a third one.
   for (int pair = 0; pair < 2; ++pair) {
     for (int pairing = 0; pairing < 3; ++pairing) {

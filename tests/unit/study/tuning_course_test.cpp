@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "process/sanitized.hpp"
-#include "study/tuning/tuning.hpp"
+#include "study/tuning/tuning_study.hpp"
 #include "tuning_fixture.hpp"
 
 namespace regista::study {
@@ -26,19 +26,20 @@ double hill(const ParameterValues& values) {
 struct Course {
   explicit Course(const TuningPlan& plan_of_it, double noise = 1.0, FakeMatches::Strength strength = hill)
       : plan(plan_of_it), matches(plan, std::move(strength), noise), record(plan) {
-    hooks.play = matches.hook();
+    play = matches.hook();
   }
   Course(const Course&) = delete;
   Course& operator=(const Course&) = delete;
 
   TuningRecord& tune() {
-    study::tune(plan, hooks, record);
+    study::tune(plan, play, out_of_time, record);
     return record;
   }
 
   TuningPlan plan;
   FakeMatches matches;
-  TuningHooks hooks;
+  PlayRound play;
+  OutOfTime out_of_time;
   TuningRecord record;
 };
 
@@ -109,12 +110,12 @@ struct Interrupted : std::runtime_error {
 };
 
 // Whenever it is killed, what was played is there, and going on from it comes to the same end.
-TEST(Tune, ResumesAfterEveryMatch) {
+TEST(Tune, ResumesAfterAnyMatch) {
   for (const Algorithm algorithm : every_kind) {
     Course whole(small(algorithm));
     const std::string expected = told(whole.tune());
     ASSERT_GT(whole.matches.played, 100u);
-    for (std::uint64_t last = 0; last < whole.matches.played; last += sanitized ? 7 : 1) {
+    for (std::uint64_t last = 0; last < whole.matches.played; last += sanitized ? 29 : 3) {
       Course run(small(algorithm));
       run.matches.before = [last](std::uint64_t played) {
         if (played == last) throw Interrupted("now");
@@ -171,9 +172,9 @@ TEST(Tune, NoStageGoesBeyondItsBudget) {
       if (plan.evaluations() <= least_evaluations(plan.algorithm(), 2, 0)) continue;
       Course run(plan);
       std::map<TuningStage, std::uint64_t> taken;
-      run.hooks.play = [&run, &taken, play = run.hooks.play](const MatchList& list, const TakeMatch& take) {
+      run.play = [&run, &taken, play = run.play](const Round& round) {
         const std::uint64_t before = run.matches.taken;
-        play(list, take);
+        play(round);
         taken[*run.record.stage] += run.matches.taken - before;
       };
       const TuningRecord& record = run.tune();
@@ -187,7 +188,7 @@ TEST(Tune, NoStageGoesBeyondItsBudget) {
 
 TEST(Tune, ABaseTeamThatForfeitsEndsIt) {
   Course run(small());
-  run.matches.judge = [](const campaign::Job& job, campaign::Decided& out) {
+  run.matches.judge = [](const campaign::Job& job, campaign::MatchResult& out) {
     if (job.teams[0] == "base.yaml") out = campaign::forfeit({0, "greedy", "assign", 1, 5, "died"}, 1.0);
   };
   try {
@@ -201,7 +202,7 @@ TEST(Tune, ABaseTeamThatForfeitsEndsIt) {
 // Which of its plugins it was is not known; nor is it that of an opponent which forfeited before.
 TEST(Tune, ABaseTeamThatForfeitsIsNamedWhereNoPluginIs) {
   Course run(small());
-  run.matches.judge = [](const campaign::Job& job, campaign::Decided& out) {
+  run.matches.judge = [](const campaign::Job& job, campaign::MatchResult& out) {
     if (job.teams[0] == "base.yaml") out = campaign::forfeit({1, "scram", "assign", 1, 5, "hung"}, 1.0);
     if (job.teams[1] == "base.yaml") out = campaign::forfeit({1, "", "", 0, 0, "ran out of memory"}, 1.0);
   };
@@ -223,7 +224,7 @@ TEST(Tune, ACandidateThatForfeitsIsWorthTheLeast) {
       plan.objective.terms = {{objective, 1.0}};
       plan.search_pairs = 200;
       Course run(plan, 0.5);
-      run.matches.judge = [&plan](const campaign::Job& job, campaign::Decided& out) {
+      run.matches.judge = [&plan](const campaign::Job& job, campaign::MatchResult& out) {
         const std::size_t side = job.teams[0] == plan.asked.team ? 0 : 1;
         if (hill(said_values(job, side, 2)) > 1.5)
           out = campaign::forfeit({static_cast<int>(side), "x", "y", 1, 1, "died"}, 1.0);
@@ -267,7 +268,7 @@ TEST(Tune, ACandidateThatForfeitsInTheVerificationIsNotBetter) {
     plan.verification_pairs = 200;
     Course run(plan, 0.5);
     int failures = 0;
-    run.matches.judge = [&](const campaign::Job& job, campaign::Decided& out) {
+    run.matches.judge = [&](const campaign::Job& job, campaign::MatchResult& out) {
       const bool verification = job.seed >> 50 == 2;
       if (!verification || said_values(job, 0, 1)[0] == 0.5 || failures > 0) return;
       ++failures;
@@ -284,7 +285,7 @@ TEST(Tune, ACandidateThatForfeitsInTheVerificationIsNotBetter) {
 
 TEST(Tune, OpponentsThatForfeitLeaveTheirPairsOut) {
   Course run(small());
-  run.matches.judge = [](const campaign::Job& job, campaign::Decided& out) {
+  run.matches.judge = [](const campaign::Job& job, campaign::MatchResult& out) {
     if (job.seed % 3 != 0) return;
     const int side = job.teams[0] == "base.yaml" ? 1 : 0;
     out = campaign::forfeit({side, "x", "y", 1, 1, "died"}, 1.0);
@@ -320,7 +321,7 @@ TEST(Tune, MetricsThatAreMissingNowAndThen) {
   plan.search_pairs = 120;
   plan.verification_pairs = 60;
   Course run(plan);
-  run.matches.judge = [](const campaign::Job& job, campaign::Decided& out) {
+  run.matches.judge = [](const campaign::Job& job, campaign::MatchResult& out) {
     if (job.seed % 3 == 0) out.metrics = campaign::metrics_from_json(R"({"playing_seconds": 600})");
   };
   const TuningRecord& record = run.tune();
@@ -420,7 +421,7 @@ TEST(Tune, OutOfTimeEndsTheSearchWithWhatItHas) {
     for (const std::uint64_t last : {1u, 2u, 5u, 9u}) {
       Course run(small(algorithm)), again(small(algorithm));
       for (Course* each : {&run, &again}) {
-        each->hooks.out_of_time = [last](std::uint64_t evaluations) { return evaluations >= last; };
+        each->out_of_time = [last](std::uint64_t evaluations) { return evaluations >= last; };
       }
       const TuningRecord& record = run.tune();
       EXPECT_FALSE(record.stage);

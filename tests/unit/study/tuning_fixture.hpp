@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/metric_json.hpp"
-#include "plugin/content_hash.hpp"
-#include "study/tuning/tuning.hpp"
+#include "campaign/match_encoding.hpp"
+#include "plugin/shared_object.hpp"
+#include "study/tuning/tuning_study.hpp"
 
 namespace regista::study {
 
@@ -60,6 +60,7 @@ inline TuningPlan tuning_of(std::size_t parameters, std::size_t opponents,
   plan.objective.terms = {{"goal_difference", 1.0}};
   plan.most_goals = 10;
   plan.asked.seed = 7;
+  plan.asked.settings.seeds = config::Seeds::consecutive;
   plan.asked.search.algorithm = name(algorithm);
   plan.search_pairs = 40;
   plan.asked.selection.finalists = 3;
@@ -92,7 +93,7 @@ inline double chance(std::uint64_t seed, std::uint64_t which) {
 }
 
 // Goals of a match whose home team is stronger by so much: their difference is on average that, and varies by `noise`.
-inline campaign::Decided goals(double stronger, double noise, std::uint64_t seed, std::uint64_t which) {
+inline campaign::MatchResult goals(double stronger, double noise, std::uint64_t seed, std::uint64_t which) {
   double sum = -6.0;  // a normal law, nearly
   for (std::uint64_t i = 0; i < 12; ++i) sum += chance(seed, 100 * which + i);
   const double wanted = stronger + noise * sum;
@@ -100,7 +101,7 @@ inline campaign::Decided goals(double stronger, double noise, std::uint64_t seed
   const double below = std::floor(wanted);
   int difference = static_cast<int>(below) + (chance(seed, 100 * which + 50) < wanted - below ? 1 : 0);
   difference = std::clamp(difference, -10, 10);
-  campaign::Decided out;
+  campaign::MatchResult out;
   out.score = {std::max(difference, 0), std::max(-difference, 0)};
   out.ended = "full_time";
   out.hash = "h";
@@ -113,40 +114,40 @@ inline campaign::Decided goals(double stronger, double noise, std::uint64_t seed
 class FakeMatches {
  public:
   using Strength = std::function<double(const ParameterValues&)>;
-  using Judge = std::function<void(const campaign::Job&, campaign::Decided&)>;
+  using Judge = std::function<void(const campaign::Job&, campaign::MatchResult&)>;
 
   FakeMatches(const TuningPlan& plan, Strength strength, double noise)
       : parameters_(plan.parameters.size()), strength_(std::move(strength)), noise_(noise) {}
 
-  campaign::Decided play(const campaign::Job& job) const {
+  campaign::MatchResult play(const campaign::Job& job) const {
     const double home = strength_(said_values(job, 0, parameters_)), away = strength_(said_values(job, 1, parameters_));
     // The fixture counts too: different teams on one seed do not have the same luck.
     const std::uint64_t which = std::stoull(
         plugin::content_hash(job.teams[0] + job.teams[1] + fmt::format("{}{}", home, away)).substr(0, 6), nullptr, 16);
-    campaign::Decided out = goals(home - away, noise_, job.seed, which);
+    campaign::MatchResult out = goals(home - away, noise_, job.seed, which);
     if (judge) judge(job, out);
     return out;
   }
 
   // As a study's course wants it. Before each match `before` is asked, which may throw.
-  PlayMatches hook() {
-    return [this](const MatchList& list, const TakeMatch& take) {
-      for (std::uint64_t i = 0; i < list.matches.size(); ++i) {
-        const campaign::Job job = list.job(i);
-        const auto key = std::pair(list.fixtures[list.matches[i].fixture].key, job.seed);
+  PlayRound hook() {
+    return [this](const Round& round) {
+      for (std::uint64_t i = 0; i < round.matches; ++i) {
+        const campaign::Job job = round.job(i);
+        const auto key = std::pair(round.fixtures[round.at(i)->fixture].key, job.seed);
         if (!store.contains(key)) {
           if (before) before(played);
           ++played;
           store.emplace(key, play(job));
         }
-        rows.push_back(list.first_row + i);
+        rows.push_back(round.first_row + i);
         ++taken;
-        if (!take(i, store.at(key))) return;
+        if (!round.take(i, &store.at(key))) return;
       }
     };
   }
 
-  std::map<std::pair<std::string, std::uint64_t>, campaign::Decided> store;  // by fixture and seed
+  std::map<std::pair<std::string, std::uint64_t>, campaign::MatchResult> store;  // by fixture and seed
   std::function<void(std::uint64_t)> before;
   Judge judge;
   std::vector<std::uint64_t> rows;

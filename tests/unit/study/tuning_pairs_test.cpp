@@ -17,8 +17,8 @@ namespace {
 using testing::Contains;
 using testing::ElementsAre;
 
-campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
-  campaign::Decided out;
+campaign::MatchResult match(int home, int away, const std::string& metrics = "{}") {
+  campaign::MatchResult out;
   out.score = {home, away};
   out.ended = "full_time";
   out.hash = "h";
@@ -26,21 +26,21 @@ campaign::Decided match(int home, int away, const std::string& metrics = "{}") {
   return out;
 }
 
-campaign::Decided failed(int side) { return campaign::forfeit({side, "greedy", "assign", 3, 417, "died"}, 1.0); }
+campaign::MatchResult failed(int side) { return campaign::forfeit({side, "greedy", "assign", 3, 417, "died"}, 1.0); }
 
 TEST(PairBatch, PairAfterPairEveryCandidateEveryOpponentHomeThenAway) {
   const TuningPlan plan = tuning_of(2, 3);
   const TunedDocument document(plan);
   const std::vector<ParameterValues> candidates{{0.25, 0.5}, {0.75, 1.0}};
   const PairBatch batch(plan, document, candidates, {TuningStage::search, plan.seed(), 20, 4});
-  const MatchList& list = batch.list();
-  ASSERT_EQ(list.matches.size(), 4u * 2 * 3 * 2);
+  const Round& round = batch.round();
+  ASSERT_EQ(round.matches, 4u * 2 * 3 * 2);
   std::size_t index = 0;
   for (std::uint64_t pair = 0; pair < 4; ++pair) {
     for (const ParameterValues& values : candidates) {
       for (const TuningOpponent& opponent : plan.opponents) {
         for (const std::size_t side : {0u, 1u}) {
-          const campaign::Job job = list.job(index++);
+          const campaign::Job job = round.job(index++);
           EXPECT_EQ(job.seed, plan.seed() + 20 + pair);
           EXPECT_EQ(job.teams[side], plan.asked.team);
           EXPECT_EQ(job.teams[1 - side], opponent.file);
@@ -50,7 +50,7 @@ TEST(PairBatch, PairAfterPairEveryCandidateEveryOpponentHomeThenAway) {
       }
     }
   }
-  EXPECT_EQ(list.fixtures.size(), 2u * 3 * 2);
+  EXPECT_EQ(round.fixtures.size(), 2u * 3 * 2);
 }
 
 // The job of a match differs from its opponent's job by the values' overrides and the hash of the document, no more.
@@ -60,7 +60,7 @@ TEST(PairBatch, OverridesAndInputs) {
   const TunedDocument document(plan);
   const PairBatch batch(plan, document, {{0.25, 0.5}, start_values(plan)}, {});
   for (std::size_t index = 0; index < 4; ++index) {
-    campaign::Job job = batch.list().job(index);
+    campaign::Job job = batch.round().job(index);
     const std::size_t side = index % 2;
     const bool base = index >= 2;
     const std::string own = side == 0 ? "home." : "away.";
@@ -75,7 +75,7 @@ TEST(PairBatch, OverridesAndInputs) {
     EXPECT_EQ(job, expected) << index;
   }
   std::set<std::string> keys;
-  for (const auto& each : batch.list().fixtures) keys.insert(each.key);
+  for (const auto& each : batch.round().fixtures) keys.insert(each.key);
   EXPECT_EQ(keys.size(), 4u);
 }
 
@@ -85,7 +85,7 @@ TEST(PairBatch, EqualMatchesHaveEqualKeys) {
   const TunedDocument document(plan);
   const PairBatch alone(plan, document, {{0.125, 1.0}}, {TuningStage::search, plan.seed(), 3, 2});
   const PairBatch among(plan, document, {{0.5, 0.5}, {0.125, 1.0}}, {TuningStage::selection, plan.seed(), 0, 2});
-  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(alone.list().fixtures[i].key, among.list().fixtures[4 + i].key);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(alone.round().fixtures[i].key, among.round().fixtures[4 + i].key);
 }
 
 TEST(PairBatch, SeedsOfStagesAndPairsAreDifferent) {
@@ -110,9 +110,9 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
     plan.openings.push_back({fmt::format("{}.yaml", i), {fmt::format("scene {}", i), fmt::format("{}", i)}});
   const TunedDocument document(plan);
   const PairBatch search(plan, document, {{0.5}, {0.6}}, {TuningStage::search, 7, 3, 4});
-  EXPECT_EQ(search.list().fixtures.size(), 2u * 2 * 2 * 4);
-  for (std::size_t index = 0; index < search.list().matches.size(); ++index) {
-    const campaign::Job job = search.list().job(index);
+  EXPECT_EQ(search.round().fixtures.size(), 2u * 2 * 2 * 4);
+  for (std::size_t index = 0; index < search.round().matches; ++index) {
+    const campaign::Job job = search.round().job(index);
     const std::size_t scene = (3 + index / 8) % 5;
     EXPECT_EQ(job.opening, plan.openings[scene].file);
     EXPECT_EQ(job.common_inputs.back(), plan.openings[scene].input);
@@ -121,8 +121,8 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
   const PairRange range{TuningStage::verification, 7, 0, 300};
   const PairBatch verification(plan, document, {{0.5}}, range);
   std::map<std::string, int> counts;
-  for (std::size_t index = 0; index < verification.list().matches.size(); ++index) {
-    const campaign::Job job = verification.list().job(index);
+  for (std::size_t index = 0; index < verification.round().matches; ++index) {
+    const campaign::Job job = verification.round().job(index);
     EXPECT_EQ(job.opening, plan.openings[drawn_opening(job.seed, 5)].file);
     ++counts[job.opening];
   }
@@ -130,8 +130,8 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
   for (const auto& [scene, count] : counts) EXPECT_NEAR(count, 240, 80) << scene;
   // Only scenes that are used have fixtures.
   const PairBatch two(plan, document, {{0.5}}, {TuningStage::search, 7, 1, 2});
-  EXPECT_EQ(two.list().fixtures.size(), 2u * 2 * 2);
-  for (const auto& each : two.list().fixtures)
+  EXPECT_EQ(two.round().fixtures.size(), 2u * 2 * 2);
+  for (const auto& each : two.round().fixtures)
     EXPECT_TRUE(each.job.opening == "1.yaml" || each.job.opening == "2.yaml");
 }
 
@@ -140,7 +140,7 @@ TEST(PairBatch, ScenesInTurnInTheSearchAndDrawnInTheVerification) {
 class Scores : public testing::Test {
  protected:
   // One candidate; the matches of its pairs, from the tuned team's side: home, away, home, away, ...
-  std::vector<double> of(const std::vector<campaign::Decided>& matches, bool head_to_head = false) {
+  std::vector<double> of(const std::vector<campaign::MatchResult>& matches, bool head_to_head = false) {
     const TunedDocument document(plan);
     const std::size_t each = 2 * (head_to_head ? 1 : plan.opponents.size());
     PairBatch batch(plan, document, {{0.25}}, {TuningStage::search, 7, 0, matches.size() / each}, head_to_head);
@@ -256,7 +256,7 @@ TEST_F(Scores, StayWithinTheirBounds) {
     for (const auto& terms :
          {std::vector<ObjectiveTerm>{{"goal_difference", 1.0}}, {{"points", 0.1}, {"goal_difference", 0.3}}}) {
       plan.objective.terms = terms;
-      std::vector<campaign::Decided> best, worst;
+      std::vector<campaign::MatchResult> best, worst;
       for (std::size_t i = 0; i < opponents; ++i) {
         best.insert(best.end(), {match(10, 0), match(0, 10)});
         worst.insert(worst.end(), {match(0, 10), match(10, 0)});
@@ -270,7 +270,7 @@ TEST_F(Scores, StayWithinTheirBounds) {
 
 // Neither lost nor won: as if it had never been.
 TEST_F(Scores, AMatchThatCouldNotBePlayedLeavesItsPairMissing) {
-  campaign::Decided none;
+  campaign::MatchResult none;
   none.ended = "set_aside";
   none.why_set_aside = "Aborted";
   for (const bool head_to_head : {false, true}) {

@@ -130,14 +130,14 @@ TEST(Tunables, TheTeamsOwnInTheOrderOfTheDocument) {
 TEST(Tunables, OfBehavioursThatThePageListsOrItsRolesMayActBy) {
   const auto all = of(std::string(team) +
                       "behaviours: {press: {plugin: hunt, params: {haste: 1.5}}, play_ball: {params: {bonus: 6}}}\n");
-  EXPECT_EQ(find(all, "behaviours.press.params.haste")->value, 1.5);
+  EXPECT_EQ(find(all, "behaviours.press.params.haste")->start, 1.5);
   EXPECT_TRUE(find(all, "behaviours.press.params.haste")->said);
-  EXPECT_EQ(find(all, "behaviours.play_ball.params.bonus")->value, 6.0) << "the plugin of its name";
+  EXPECT_EQ(find(all, "behaviours.play_ball.params.bonus")->start, 6.0) << "the plugin of its name";
   EXPECT_EQ(find(all, "behaviours.support.params.reach"), nullptr) << "no role acts by it";
   const std::string roles =
       "roles: {r: [{name: a, target: {at: ball}}, {name: b, behaviour: hunt, target: {at: ball}}]}\n";
   const auto by_roles = of(std::string(team).substr(0, std::string_view(team).find("roles: {r: []}")) + roles);
-  EXPECT_EQ(find(by_roles, "behaviours.play_ball.params.bonus")->value, 4.0);
+  EXPECT_EQ(find(by_roles, "behaviours.play_ball.params.bonus")->start, 4.0);
   EXPECT_FALSE(find(by_roles, "behaviours.play_ball.params.bonus")->said) << "no pattern finds it";
   EXPECT_NE(find(by_roles, "behaviours.support.params.reach"), nullptr);
   EXPECT_NE(find(by_roles, "behaviours.hunt.params.haste"), nullptr);
@@ -146,18 +146,18 @@ TEST(Tunables, OfBehavioursThatThePageListsOrItsRolesMayActBy) {
 
 TEST(Tunables, ValuesInForceAndWhatIsDeclared) {
   const auto all = of();
-  EXPECT_EQ(find(all, "predictors.ball.params.noise")->value, 0.25);
+  EXPECT_EQ(find(all, "predictors.ball.params.noise")->start, 0.25);
   EXPECT_TRUE(find(all, "predictors.ball.params.noise")->log_scale);
-  EXPECT_EQ(find(all, "positioner.params.step")->value, 0.5);  // by default
+  EXPECT_EQ(find(all, "positioner.params.step")->start, 0.5);  // by default
   const Tunable& weight = *find(all, "utility.terms.near.weight");
-  EXPECT_EQ(weight.value, 0.75);
+  EXPECT_EQ(weight.start, 0.75);
   EXPECT_EQ(weight.least, 0.0);
   EXPECT_EQ(weight.most, 1.0);
   EXPECT_EQ(weight.refusal, "");
-  EXPECT_EQ(find(all, "utility.terms.far.weight")->value, config::UtilityTerm{}.weight);
+  EXPECT_EQ(find(all, "utility.terms.far.weight")->start, config::UtilityTerm{}.weight);
   EXPECT_THAT(find(all, "utility.terms.far.weight")->refusal, HasSubstr("tune"));
   const Tunable& depth = *find(all, "assigner.params.depth");
-  EXPECT_EQ(depth.value, 5.0);
+  EXPECT_EQ(depth.start, 5.0);
   EXPECT_TRUE(depth.integer);
   EXPECT_EQ(depth.least, 1.0);
   EXPECT_EQ(depth.most, 9.0);
@@ -169,20 +169,20 @@ TEST(Tunables, ValuesInForceAndWhatIsDeclared) {
 
 TEST(Tunables, OfContextsWhatHoldsThere) {
   const auto all = of();
-  EXPECT_EQ(find(all, "contexts.dotted.params.after")->value, 7.5);
-  EXPECT_EQ(find(all, "contexts.nested.params.after")->value, 5.0);
+  EXPECT_EQ(find(all, "contexts.dotted.params.after")->start, 7.5);
+  EXPECT_EQ(find(all, "contexts.nested.params.after")->start, 5.0);
   // What a context says itself, by a key with dots or in maps.
-  EXPECT_EQ(find(all, "contexts.dotted.use.sender.params.period")->value, 4.0);
-  EXPECT_EQ(find(all, "contexts.dotted.use.utility.terms.far.weight")->value, 0.125);
-  EXPECT_EQ(find(all, "contexts.nested.use.sender.params.reserve")->value, 40.0);
+  EXPECT_EQ(find(all, "contexts.dotted.use.sender.params.period")->start, 4.0);
+  EXPECT_EQ(find(all, "contexts.dotted.use.utility.terms.far.weight")->start, 0.125);
+  EXPECT_EQ(find(all, "contexts.nested.use.sender.params.reserve")->start, 40.0);
   EXPECT_EQ(find(all, "contexts.nested.use.sender.params.reserve")->most, 100.0);  // of another plugin
-  EXPECT_EQ(find(all, "contexts.nested.use.utility.terms.third.weight")->value, 2.0);
+  EXPECT_EQ(find(all, "contexts.nested.use.utility.terms.third.weight")->start, 2.0);
   EXPECT_EQ(find(all, "contexts.nested.use.utility.terms.third.weight")->most, 3.0);
   // What it takes over.
-  EXPECT_EQ(find(all, "contexts.playing.use.utility.terms.near.weight")->value, 0.75);
-  EXPECT_EQ(find(all, "contexts.dotted.use.utility.terms.far.params.scale")->value, 0.5);
-  EXPECT_EQ(find(all, "contexts.playing.use.assigner.params.depth")->value, 5.0);
-  EXPECT_EQ(find(all, "contexts.dotted.use.sender.params.reserve")->value, 30.0);
+  EXPECT_EQ(find(all, "contexts.playing.use.utility.terms.near.weight")->start, 0.75);
+  EXPECT_EQ(find(all, "contexts.dotted.use.utility.terms.far.params.scale")->start, 0.5);
+  EXPECT_EQ(find(all, "contexts.playing.use.assigner.params.depth")->start, 5.0);
+  EXPECT_EQ(find(all, "contexts.dotted.use.sender.params.reserve")->start, 30.0);
   // What it has not.
   EXPECT_EQ(find(all, "contexts.dotted.use.positioner.params.step"), nullptr);
   EXPECT_EQ(find(all, "contexts.nested.use.utility.terms.near.weight"), nullptr);
@@ -210,7 +210,7 @@ TEST(Tunables, AContextThatNamesItsPluginByAPathSaysItsParameters) {
          " {name: d, plugin: always, use: {sender.params: {period: 3}}}]\nsender: {plugin: timed}\n");
   ASSERT_NE(find(all, "contexts.c.use.sender.params.reserve"), nullptr);
   EXPECT_TRUE(find(all, "contexts.c.use.sender.params.reserve")->said);
-  EXPECT_EQ(find(all, "contexts.c.use.sender.params.reserve")->value, 20.0);
+  EXPECT_EQ(find(all, "contexts.c.use.sender.params.reserve")->start, 20.0);
   EXPECT_TRUE(find(all, "contexts.d.use.sender.params.period")->said);
   EXPECT_FALSE(find(all, "contexts.d.use.sender.params.reserve")->said);
 }

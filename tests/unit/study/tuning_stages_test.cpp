@@ -6,12 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "study/tuning/base_team_check.hpp"
-#include "study/tuning/candidate_matches.hpp"
-#include "study/tuning/drawn_seed.hpp"
 #include "study/tuning/pair_search.hpp"
-#include "study/tuning/selection.hpp"
-#include "study/tuning/slice_matches.hpp"
+#include "study/tuning/tuning_study.hpp"
 #include "tuning_fixture.hpp"
 
 namespace regista::study {
@@ -32,7 +28,7 @@ struct Source {
   TuningPlan plan;
   TunedDocument document;
   FakeMatches matches;
-  PlayMatches play;
+  PlayRound play;
   MatchTally tally;
 };
 
@@ -50,7 +46,7 @@ TEST(MatchTally, BatchesFollowEachOther) {
   for (const std::uint64_t first : {0u, 12u}) {
     PairBatch batch(of.plan, of.document, {{0.25}}, {TuningStage::search, 1, first, 3});
     play_batch(source, batch);
-    EXPECT_EQ(batch.list().first_row, first);
+    EXPECT_EQ(batch.round().first_row, first);
     EXPECT_EQ(batch.pairs(), 3u);
   }
   EXPECT_EQ(of.tally.matches, 24u);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How often the verdict is wrong where there is no difference, and how soon it is found where there is one; slices.
-#include "study/tuning/verification.hpp"
+#include "study/tuning/tuning_study.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,8 @@
 #include <limits>
 #include <random>
 
-#include "statistics/multiplicity.hpp"
-#include "study/metric_difference.hpp"
-#include "study/tuning/slices.hpp"
+#include "statistics/paired_tests.hpp"
+#include "study/tournament_course.hpp"
 #include "tuning_fixture.hpp"
 
 namespace regista::study {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "process/sanitized.hpp"
-#include "texts/visible.hpp"
+#include "texts/message.hpp"
 
 namespace regista::texts {
 namespace {

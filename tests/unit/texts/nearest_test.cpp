@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "texts/nearest.hpp"
+#include "texts/message.hpp"
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <random>
 #include <string>
 #include <vector>
@@ -46,7 +45,7 @@ TEST(EditDistance, KnownPairs) {
 }
 
 TEST(Nearest, FindsWhatWasMeant) {
-  const std::array<std::string_view, 4> known{"length", "width", "goal_width", "goal_depth"};
+  const std::vector<std::string> known{"length", "width", "goal_width", "goal_depth"};
   EXPECT_EQ(nearest("lenght", known), "length");
   EXPECT_EQ(nearest("goalwidth", known), "goal_width");
   EXPECT_EQ(nearest("widht", known), "width");

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "study/tuning/algorithm.hpp"
+#include "study/tuning/search.hpp"
 
 #include <gmock/gmock.h>
 
 #include "landscape.hpp"
-#include "study/tuning/populations.hpp"
 
 namespace regista::study {
 namespace {

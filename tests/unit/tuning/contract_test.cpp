@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "landscape.hpp"
-#include "study/tuning/populations.hpp"
+#include "study/tuning/search.hpp"
 
 namespace regista::study {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/tuning/inquiry.hpp"
+#include "study/tuning/evaluator.hpp"
 
 #include <gmock/gmock.h>
 
@@ -26,9 +26,9 @@ Evaluate answering(std::vector<double> values) {
 
 const std::vector<Point> abc{point({0.1, 0.2}), point({0.3, 0.4}), point({0.1, 0.5})};
 
-TEST(Inquiry, KeepsTheBudget) {
+TEST(Evaluator, KeepsTheBudget) {
   const Evaluate evaluate = answering({1, 2, 3, 4});
-  Inquiry inquiry(evaluate, 4);
+  Evaluator inquiry(evaluate, 4);
   inquiry.ask(abc, 0);
   EXPECT_EQ(inquiry.left(), 1u);
   EXPECT_THAT(inquiry.ask({abc.data(), 1}, 1), ElementsAre(4.0));
@@ -36,16 +36,16 @@ TEST(Inquiry, KeepsTheBudget) {
   EXPECT_THAT(inquiry.values(), ElementsAre(1.0, 2.0, 3.0, 4.0));
 }
 
-TEST(Inquiry, WhatIsNotFiniteIsWorseThanAllThatIs) {
+TEST(Evaluator, WhatIsNotFiniteIsWorseThanAllThatIs) {
   const Evaluate evaluate = answering({nan, 5, 3, -infinity, infinity, nan});
-  Inquiry inquiry(evaluate, 6);
+  Evaluator inquiry(evaluate, 6);
   EXPECT_THAT(inquiry.ask(abc, 0), ElementsAre(1.0, 5.0, 3.0)) << "as far below 3 as 3 is below 5";
   EXPECT_THAT(inquiry.ask(abc, 0), ElementsAre(1.0, 1.0, 1.0)) << "what was made up does not count as seen";
 }
 
-TEST(Inquiry, NothingFiniteAtAll) {
+TEST(Evaluator, NothingFiniteAtAll) {
   const Evaluate evaluate = answering({nan, nan, 2, nan});
-  Inquiry inquiry(evaluate, 4);
+  Evaluator inquiry(evaluate, 4);
   const double first = inquiry.ask({abc.data(), 1}, 0)[0];
   EXPECT_TRUE(std::isfinite(first));
   inquiry.ask({abc.data(), 1}, 0);
@@ -54,40 +54,40 @@ TEST(Inquiry, NothingFiniteAtAll) {
   EXPECT_EQ(inquiry.best(1).front(), abc[1]);
 }
 
-TEST(Inquiry, HugeValuesStayFinite) {
+TEST(Evaluator, HugeValuesStayFinite) {
   const double huge = std::numeric_limits<double>::max();
   const Evaluate evaluate = answering({huge, -huge, nan});
-  Inquiry inquiry(evaluate, 3);
+  Evaluator inquiry(evaluate, 3);
   inquiry.ask(abc, 0);
   EXPECT_TRUE(std::isfinite(inquiry.worst()));
   EXPECT_TRUE(std::isfinite(inquiry.values()[2]));
 }
 
-TEST(Inquiry, BestByTheMeanOfAPointsValues) {
+TEST(Evaluator, BestByTheMeanOfAPointsValues) {
   const Evaluate evaluate = answering({9, 4, 5, 0, 5, 5});
-  Inquiry inquiry(evaluate, 6);
+  Evaluator inquiry(evaluate, 6);
   inquiry.ask(abc, 0);
   inquiry.ask(abc, 1);  // means 4.5, 4.5, 5
   EXPECT_THAT(inquiry.best(8), ElementsAre(abc[2], abc[0], abc[1])) << "of equal means the earlier first";
   EXPECT_THAT(inquiry.best(1), ElementsAre(abc[2]));
 }
 
-TEST(Inquiry, Distinct) {
+TEST(Evaluator, Distinct) {
   const std::vector<Point> points{abc[0], abc[1], abc[0], abc[2]};
   EXPECT_THAT(distinct(points, 8), ElementsAre(abc[0], abc[1], abc[2]));
   EXPECT_THAT(distinct(points, 2), ElementsAre(abc[0], abc[1]));
 }
 
-TEST(Inquiry, MeanOfTheLast) {
+TEST(Evaluator, MeanOfTheLast) {
   EXPECT_EQ(mean_of_last(abc, 3), abc[2]);
   EXPECT_EQ(mean_of_last(abc, 2), (abc[1] + abc[2]) / 2.0) << "the half of three, rounded up";
   EXPECT_EQ(mean_of_last(std::span(abc).first(1), 4), abc[0]);
 }
 
 // Bounds of six standard deviations.
-TEST(Draws, FollowTheirLaws) {
+TEST(Rng, FollowTheirLaws) {
   constexpr int number = 200000;
-  Draws draws(7, Draws::Use::spsa);
+  Rng draws(7, Rng::Use::spsa);
   double sum = 0.0, squares = 0.0, fourth = 0.0, uniforms = 0.0, signs = 0.0;
   for (int i = 0; i < number; ++i) {
     const double normal = draws.normal();
@@ -108,8 +108,8 @@ TEST(Draws, FollowTheirLaws) {
   EXPECT_NEAR(signs / number, 0.0, deviation);
 }
 
-TEST(Draws, StreamsDiffer) {
-  Draws first(7, Draws::Use::spsa), again(7, Draws::Use::spsa), use(7, Draws::Use::random), seed(8, Draws::Use::spsa);
+TEST(Rng, StreamsDiffer) {
+  Rng first(7, Rng::Use::spsa), again(7, Rng::Use::spsa), use(7, Rng::Use::random), seed(8, Rng::Use::spsa);
   const std::uint32_t bits = first.bits();
   EXPECT_EQ(bits, again.bits());
   EXPECT_NE(bits, use.bits());

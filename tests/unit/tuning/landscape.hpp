@@ -7,7 +7,7 @@
 #include <ostream>
 #include <vector>
 
-#include "study/tuning/draws.hpp"
+#include "study/tuning/evaluator.hpp"
 #include "study/tuning/search.hpp"
 
 namespace regista::study {
@@ -67,14 +67,14 @@ inline std::uint64_t number_of_points(const std::vector<Asked>& record) {
 class NoisySphere {
  public:
   NoisySphere(Point optimum, double deviation, std::uint64_t seed)
-      : optimum_(std::move(optimum)), deviation_(deviation), noise_(seed ^ 0x5eed, Draws::Use::random) {}
+      : optimum_(std::move(optimum)), deviation_(deviation), noise_(seed ^ 0x5eed, Rng::Use::random) {}
 
   double operator()(const Point& x) { return sphere(x, optimum_) + deviation_ * noise_.normal(); }
 
  private:
   Point optimum_;
   double deviation_;
-  Draws noise_;
+  Rng noise_;
 };
 
 }  // namespace regista::study

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/tuning/neighbours.hpp"
+#include "study/tuning/evaluator.hpp"
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ TEST(Neighbours, FewPointsAreAllNeighbours) {
 }
 
 TEST(Neighbours, TheLuckiestPointIsNotTheBest) {
-  Draws draws(5, Draws::Use::random);
+  Rng draws(5, Rng::Use::random);
   std::vector<Point> points;
   std::vector<double> values;
   const Point optimum = point({0.3, 0.6});

@@ -97,7 +97,7 @@ TEST(NoisySphereOfFourDimensions, MediansAreReached) {
     const std::uint64_t replication = wants_replication(each.algorithm) ? simulations / 200 : 1;
     std::vector<double> regrets;
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
-      Draws draws(seed, Draws::Use::nlopt);
+      Rng draws(seed, Rng::Use::nlopt);
       Point optimum(4), start(4);
       for (double& coordinate : optimum) coordinate = 0.4 + 0.2 * draws.uniform();
       for (double& coordinate : start) coordinate = draws.uniform();

@@ -134,7 +134,7 @@ TEST_P(AgainstObjectives, NothingButNoise) {
     settings.start = uniform_point(4, 0.5);
     settings.evaluations = 500;
     settings.seed = seed;
-    Draws noise(seed, Draws::Use::random);
+    Rng noise(seed, Rng::Use::random);
     std::vector<Asked> record;
     EXPECT_NO_THROW(search(GetParam(), settings, recorded(record, [&](const Point&) { return noise.normal(); })));
     EXPECT_GE(number_of_points(record), 450u);

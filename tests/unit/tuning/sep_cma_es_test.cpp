@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/tuning/sep_cma_es.hpp"
+#include "study/tuning/stochastic_search.hpp"
 
 #include <gmock/gmock.h>
 

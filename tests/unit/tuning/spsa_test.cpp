@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "study/tuning/spsa.hpp"
+#include "study/tuning/stochastic_search.hpp"
 
 #include <gmock/gmock.h>
 
@@ -50,7 +50,7 @@ TEST(RunningScale, IsTheRootMeanSquareWithoutTheLargest) {
 
 // Twice the normal law without its largest twentieth has a root mean square of 1.738.
 TEST(RunningScale, OfTheNormalLaw) {
-  Draws draws(3, Draws::Use::spsa);
+  Rng draws(3, Rng::Use::spsa);
   RunningScale scale;
   for (int i = 0; i < 100000; ++i) scale.scaled(2.0 * draws.normal());
   EXPECT_NEAR(1.0 / scale.scaled(1.0), 1.738, 0.02);

@@ -2,7 +2,7 @@
 // The keyboard: one table, which is also what the help shows.
 export interface Key {
   keys: string[]; // as in KeyboardEvent.key; with Shift: "Shift+" and key (arrows) or code (digits)
-  shown: string;
+  shown: string; // empty: the row of the key before it names it too
   does: string;
   run(event: KeyboardEvent): void;
 }

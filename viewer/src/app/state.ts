@@ -9,11 +9,22 @@ export interface Robot {
   number: number;
 }
 
-export const panelNames = ["overlaps", "robot", "compare", "plays", "ball", "segments", "log", "match"] as const;
+export const panelNames = [
+  "overlaps",
+  "robot",
+  "compare",
+  "goals",
+  "plays",
+  "ball",
+  "segments",
+  "log",
+  "match",
+] as const;
 export type PanelName = (typeof panelNames)[number];
 
-// "computed": what the positioner computed, drawn only when wanted.
-export const layerNames = ["belief", "ellipses", "tasks", "trails", "computed"] as const;
+// The last three are of the positioner, and drawn only when wanted: the points that it gave with their edges, the cells
+// of its Voronoi diagram, and the edges of the dual.
+export const layerNames = ["belief", "ellipses", "tasks", "trails", "nodes", "cells", "delaunay"] as const;
 export type LayerName = (typeof layerNames)[number];
 
 // Heat maps: of what, and over which stretch of the match. "window": what the timeline shows.
@@ -33,6 +44,7 @@ export interface View {
   pair: Pair | null;
   panel: PanelName;
   knowledge: Knowledge;
+  follow: boolean; // the field follows the chosen robot, or the ball
   layers: Record<LayerName, boolean>;
   heat: HeatWhat | null;
   heatStretch: HeatStretch;
@@ -49,7 +61,8 @@ export class State {
     pair: null,
     panel: "overlaps",
     knowledge: "decided",
-    layers: { belief: true, ellipses: true, tasks: true, trails: true, computed: false },
+    follow: false,
+    layers: { belief: true, ellipses: true, tasks: true, trails: true, nodes: false, cells: false, delaunay: false },
     heat: null,
     heatStretch: "match",
     drawings: [],
@@ -69,6 +82,10 @@ export class State {
 
   set(change: Partial<View>): void {
     if (change.time !== undefined) change.time = Math.min(this.end, Math.max(this.begin, change.time));
+    // The same robot chosen again is no other one.
+    const { robot } = this.view;
+    if (robot !== null && change.robot?.side === robot.side && change.robot.number === robot.number)
+      change.robot = robot;
     const changed = new Set<keyof View>();
     for (const key of Object.keys(change) as (keyof View)[]) if (this.view[key] !== change[key]) changed.add(key);
     if (changed.size === 0) return;

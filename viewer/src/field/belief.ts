@@ -9,7 +9,7 @@ import { type Side, otherSide } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { World } from "../recording/messages";
 import { drawBelievedBall, shownBallRadius } from "./ball";
-import type { Projection } from "./ground";
+import type { Projection } from "./projection";
 import type { Labels } from "./labels";
 import { type Context, bodyPath, ellipseOf, ellipsePath, headingPath, label, shownDeviations } from "./shapes";
 

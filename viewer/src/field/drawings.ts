@@ -3,7 +3,7 @@
 // plugin leaves open is chosen here; nothing is so thin that it cannot be seen.
 import { shortened } from "../model/text";
 import type { Shape } from "../recording/plugin_messages";
-import type { Projection } from "./ground";
+import type { Projection } from "./projection";
 import type { Labels } from "./labels";
 import type { Context } from "./shapes";
 

@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The field as it is drawn: the truth, and over it what the chosen robot believes and plans.
+// The field as it is drawn, the whole or a part of it: the truth, and over it what the chosen robot believes and plans.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { Robot, State, View } from "../app/state";
 import { type Game, Moment, inMask } from "../model/game";
 import { type Look, ageOf, isOld, knowledgeOf, lookAt, shortRoleName, worldOf } from "../model/look";
+import { sitesOf } from "../model/positioner";
 import { fixed } from "../model/text";
 import { bothSides } from "../recording/about";
 import type { Match } from "../recording/match";
 import { drawBelief } from "./belief";
 import { drawTrueBall, shownBallRadius } from "./ball";
+import { drawDiagram } from "./diagram";
 import { drawShapes, styleOf } from "./drawings";
 import type { Heat } from "./heat";
-import { Projection, drawGround } from "./ground";
+import { drawGround } from "./ground";
 import { Labels } from "./labels";
+import type { Box } from "./placement";
 import { drawPlan } from "./plan";
+import { Projection } from "./projection";
 import { bodyPath, headingPath, label } from "./shapes";
 
 const trailSamples = 30; // 3 s
@@ -25,7 +29,8 @@ export class Field {
   private readonly ground: Canvas;
   private readonly moment: Moment;
   private readonly labels = new Labels();
-  private stale = true;
+  private drawnGround = ""; // of which projection
+  private buttons: Box = { left: 0, top: 0, right: 0, bottom: 0 }; // over the field: no name is put there
 
   constructor(
     element: HTMLCanvasElement,
@@ -41,14 +46,15 @@ export class Field {
 
   setPalette(palette: Palette): void {
     this.palette = palette;
-    this.stale = true;
+    this.drawnGround = "";
   }
 
-  resize(width: number, height: number): void {
+  resize(width: number, height: number, buttons: Box): void {
+    this.buttons = buttons;
     if (!this.canvas.fit(width, height)) return;
     this.ground.fit(width, height);
     this.projection.fit(width, height);
-    this.stale = true;
+    this.drawnGround = "";
   }
 
   // The robot under a point of the canvas.
@@ -72,13 +78,13 @@ export class Field {
     const { canvas, palette, match, moment, projection: to } = this;
     const { view } = state;
     const context = canvas.context;
-    if (this.stale) {
-      drawGround(this.ground.context, canvas, to, match.about.field, palette);
-      this.stale = false;
-    }
     moment.set(view.time);
+    if (view.follow) this.follow(view.robot);
+    if (this.drawnGround !== to.key) drawGround(this.ground.context, canvas, to, match.about.field, palette);
+    this.drawnGround = to.key;
     context.drawImage(this.ground.element, 0, 0, canvas.width, canvas.height);
     this.labels.clear();
+    this.labels.takeBox(this.buttons);
     this.takeBodies();
     this.heat.draw(canvas, to, view, palette, this.labels);
     if (view.layers.trails) this.drawTrails();
@@ -104,6 +110,13 @@ export class Field {
     this.drawRobots(state, compared);
     this.drawBall();
     this.labels.write(context, canvas, palette.grass);
+  }
+
+  // In the middle of the picture: the chosen robot, or, when none is chosen, the ball.
+  private follow(robot: Robot | null): void {
+    const { moment, match } = this;
+    const [of, at] = robot === null ? [moment.ball, 0] : [moment.poses, 3 * match.game.place(robot.side, robot.number)];
+    this.projection.centreOn(of[at]!, of[at + 1]!);
   }
 
   // What plugins drew: of the chosen robot, of both that are compared, or else of all.
@@ -138,6 +151,11 @@ export class Field {
       );
     }
     if (look.decision !== null) {
+      const { layers } = view;
+      const sites =
+        layers.cells || layers.delaunay ? sitesOf(this.match, robot.side, robot.number, look.decision) : null;
+      if (sites !== null)
+        drawDiagram(this.canvas.context, this.projection, sites, this.match.about.field, this.palette, layers);
       drawPlan(
         context,
         this.projection,
@@ -146,11 +164,12 @@ export class Field {
         robot.side,
         look.decision,
         this.palette,
-        view.layers,
+        layers,
         this.labels,
       );
       const age = ageOf(look.decision, view.time);
-      if (isOld(age) && (view.layers.computed || view.layers.tasks)) this.drawAge(`plan ${fixed(age!, 1)} s old`);
+      if (isOld(age) && (layers.nodes || layers.cells || layers.delaunay || layers.tasks))
+        this.drawAge(`plan ${fixed(age!, 1)} s old`);
     }
   }
 

@@ -1,43 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The field and its lines: drawn once for a size and a theme. Metres become pixels here.
+// The field and its lines: drawn once for a projection and a theme.
 import type { FieldSize } from "../recording/about";
 import type { Palette } from "../app/palette";
-
-// World frame (centre, x to the right, y up) to pixels.
-export class Projection {
-  scale = 1; // pixels per metre
-  centreX = 0;
-  centreY = 0;
-
-  constructor(private readonly field: FieldSize) {}
-
-  get aspect(): number {
-    return (this.field.length + 2 * this.margin) / (this.field.width + 2 * this.margin);
-  }
-
-  private get margin(): number {
-    return Math.max(this.field.borderStrip, this.field.goalDepth + 0.1);
-  }
-
-  fit(width: number, height: number): void {
-    const { field, margin } = this;
-    this.scale = Math.min(width / (field.length + 2 * margin), height / (field.width + 2 * margin));
-    this.centreX = width / 2;
-    this.centreY = height / 2;
-  }
-
-  x(x: number): number {
-    return this.centreX + this.scale * x;
-  }
-
-  y(y: number): number {
-    return this.centreY - this.scale * y;
-  }
-
-  world(px: number, py: number): [number, number] {
-    return [(px - this.centreX) / this.scale, (this.centreY - py) / this.scale];
-  }
-}
+import type { Projection } from "./projection";
 
 export function drawGround(
   context: CanvasRenderingContext2D,

@@ -8,7 +8,7 @@ import { type HeatMap, type HeatOf, heatMap, squareMetres } from "../model/heat_
 import { fixed } from "../model/text";
 import { heatText, stretchTexts } from "../panels/heat_choice";
 import type { Match } from "../recording/match";
-import type { Projection } from "./ground";
+import type { Projection } from "./projection";
 import type { Labels } from "./labels";
 
 const least = 0.1; // opacity of a square that holds anything

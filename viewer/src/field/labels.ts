@@ -39,7 +39,11 @@ export class Labels {
 
   // No name may stand here.
   take(x: number, y: number, halfWidth: number, halfHeight: number): void {
-    this.taken.push({ left: x - halfWidth, top: y - halfHeight, right: x + halfWidth, bottom: y + halfHeight });
+    this.takeBox({ left: x - halfWidth, top: y - halfHeight, right: x + halfWidth, bottom: y + halfHeight });
+  }
+
+  takeBox(box: Box): void {
+    this.taken.push(box);
   }
 
   add(name: Name): void {
@@ -48,7 +52,9 @@ export class Labels {
 
   // Upon a canvas of this size.
   write(context: Context, size: { width: number; height: number }, rim: string): void {
-    const names = ranks.flatMap((rank) => this.names.filter((name) => name.rank === rank).slice(0, mostNames));
+    // What is not in the picture has no name in it either.
+    const seen = this.names.filter(({ x, y }) => x >= 0 && y >= 0 && x <= size.width && y <= size.height);
+    const names = ranks.flatMap((rank) => seen.filter((name) => name.rank === rank).slice(0, mostNames));
     const wanted = names.map((name): Wanted => ({
       x: name.x,
       y: name.y,

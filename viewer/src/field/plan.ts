@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a robot planned: what its positioner computed, as points and the edges between them, and the tasks before and
-// after their offset.
+// What a robot planned: the points that its positioner gave, with the edges that it kept between them, and the tasks
+// before and after their offset.
 import type { Palette } from "../app/palette";
 import type { LayerName } from "../app/state";
 import type { Moment } from "../model/game";
@@ -8,7 +8,7 @@ import { shortRoleName } from "../model/look";
 import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
-import type { Projection } from "./ground";
+import type { Projection } from "./projection";
 import type { Labels } from "./labels";
 import { type Context, arrow } from "./shapes";
 
@@ -24,9 +24,9 @@ export function drawPlan(
   labels: Labels,
 ): void {
   context.save();
-  if (layers.computed) {
+  if (layers.nodes) {
     context.strokeStyle = palette.nodes;
-    context.lineWidth = 1.25;
+    context.lineWidth = 3; // thicker than the sides of cells, of which they are a part
     context.globalAlpha = 0.8;
     context.beginPath();
     for (const [from, into] of decision.edges) {

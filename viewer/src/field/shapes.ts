@@ -2,7 +2,7 @@
 // The marks of the field. Teams differ in shape as well as in colour: home are discs, away squares.
 import { type Side } from "../recording/about";
 import type { Covariance } from "../recording/messages";
-import type { Projection } from "./ground";
+import type { Projection } from "./projection";
 
 export type Context = CanvasRenderingContext2D;
 

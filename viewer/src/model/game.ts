@@ -119,6 +119,12 @@ export class Game {
     return this.times[this.count - 1] ?? 0;
   }
 
+  // When the ball was first in play; the beginning where it never was.
+  get kickOff(): number {
+    const first = this.phase.subarray(0, this.count).indexOf(playing);
+    return this.times[Math.max(0, first)] ?? 0;
+  }
+
   // The sample in force at `time`: the last not after it, or the first.
   indexAt(time: number): number {
     return Math.max(0, lastNotAfter(this.times, time, this.count));

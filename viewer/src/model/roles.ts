@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Who held which role when, and how long roles were held twice or by nobody: the measures of Affinita et al.,
+// Who held which role when, which roles overlapped, and which nobody held: the measures of Affinita et al.,
 // "Multi-Agent Coordination for a Partially Observable and Dynamic Robot Soccer Environment with Limited
 // Communication", 2023. Every sample in the phase Playing counts 0.1 s; active is who is not penalised.
-// - overlap: two or more active robots hold the role;
+// - role overlap: two or more active robots hold the role;
 // - uncovered: no active robot holds it although it is wanted: it stands in the list in force, its priority is below
 //   the number of active robots, and the robot that alone may take it, if there is one, is active. In force is the list
 //   in which most active robots hold a role (of equals, the first of the table); none while nobody holds any.
@@ -158,4 +158,21 @@ export function neighbour(
   if (direction === 1) return all.find((stretch) => stretch.from > time + tolerance) ?? null;
   for (let i = all.length - 1; i >= 0; --i) if (all[i]!.from < time - tolerance) return all[i]!;
   return null;
+}
+
+// --- The order of a list of stretches: those of a second or more first. The short ones follow; a list may fold them.
+
+export const longSeconds = 1;
+export type StretchOrder = "time" | "length";
+
+export interface StretchGroups {
+  long: Stretch[]; // of a second or more
+  short: Stretch[];
+}
+
+// Both in the wanted order; of the same length the earlier one first.
+export function groupedStretches(all: readonly Stretch[], order: StretchOrder): StretchGroups {
+  const sorted = [...all].sort((a, b) => (order === "length" && b.samples - a.samples) || a.from - b.from);
+  const isLong = ({ samples }: Stretch) => samples >= 10 * longSeconds;
+  return { long: sorted.filter(isLong), short: sorted.filter((stretch) => !isLong(stretch)) };
 }

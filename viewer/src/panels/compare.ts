@@ -61,7 +61,7 @@ export class ComparePanel {
     this.empty = element(
       "p",
       { class: "empty" },
-      "Choose an overlap in the list, or press ] for the next one: " +
+      "Choose a role overlap in the list, or press ] for the next one: " +
         "the decisions of the robots that share the role are compared here.",
     );
     tabs.append(this.bar);

@@ -16,19 +16,18 @@ export class DifferenceMatrix {
   readonly terms = element("div", { class: "terms" });
   private pair: Pair | null = null;
   private looks: [Look, Look] | null = null;
-  private pointed: { robot: number; role: number } | null = null;
+  private pointed: { robot: number; role: number } | null = null; // by the reader; null: at nothing
   private cells = new Map<HTMLTableCellElement, { robot: number; role: number }>();
 
   constructor(private readonly match: Match) {
     const point = (event: Event) => {
       const cell = event.target instanceof Element ? event.target.closest("td") : null;
       const entry = cell === null ? undefined : this.cells.get(cell);
-      if (entry === undefined) return;
+      if (entry === undefined || entry === this.pointed) return;
       this.pointed = entry;
       this.showTerms();
     };
-    this.table.addEventListener("pointerover", point);
-    this.table.addEventListener("focusin", point);
+    for (const kind of ["pointermove", "pointerdown", "focusin"]) this.table.addEventListener(kind, point);
     moveWithArrows(this.table);
   }
 
@@ -44,7 +43,6 @@ export class DifferenceMatrix {
     const columns = [...new Set([...(a?.columns ?? []), ...(b?.columns ?? [])])].sort((x, y) => x - y);
     this.cells = new Map();
     let greatest = 0.05;
-    const most = greatestDifference(this.match, pair, looks);
     const body = element(
       "tbody",
       {},
@@ -95,15 +93,17 @@ export class DifferenceMatrix {
     this.table.style.setProperty("--columns", String(columns.length));
     if (columns.length === 0) this.table.replaceChildren(element("caption", {}, "These decisions have no utilities"));
     else this.table.replaceChildren(heading([element("th"), ...heads]), body);
-    if (!same || this.pointed === null || !rows.includes(this.pointed.robot) || !columns.includes(this.pointed.role)) {
-      this.pointed = most ?? { robot: pair.robots[0], role: pair.role };
-    }
+    const { pointed } = this;
+    if (!same || pointed === null || !rows.includes(pointed.robot) || !columns.includes(pointed.role))
+      this.pointed = null;
     this.showTerms();
   }
 
   private showTerms(): void {
-    const { pair, looks, pointed } = this;
-    if (pair === null || looks === null || pointed === null) return;
+    const { pair, looks } = this;
+    if (pair === null || looks === null) return;
+    const most = this.pointed ?? greatestDifference(this.match, pair, looks);
+    const pointed = most ?? { robot: pair.robots[0], role: pair.role };
     for (const [cell, { robot, role }] of this.cells) {
       if (robot === pointed.robot && role === pointed.role) cell.setAttribute("aria-selected", "true");
       else cell.removeAttribute("aria-selected");

@@ -2,13 +2,14 @@
 // What plugins wrote, around the moment: of the chosen robot, or, when none is chosen, of all robots. What has not
 // happened yet stands there in grey; a click on a line leads to its moment.
 import type { Robot, View } from "../app/state";
-import { around } from "../model/around";
+import { around } from "../recording/log";
 import { chosenLines, sumText } from "../model/log_lines";
-import { shortened, timeText } from "../model/text";
+import { shortened } from "../model/text";
 import { sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
 import { type Level, type LogLine } from "../recording/plugin_messages";
 import { element, heading, named, row, titleOf } from "./elements";
+import { jumpFrom, replaceRows, timeCell } from "./jump_list";
 
 const rowsBefore = 120; // robots decide at the same moment: many lines may be of one
 const rowsAfter = 30;
@@ -48,25 +49,13 @@ export class LogPanel {
         this.fill();
         this.draw();
       });
+    const heads = heading(["time", "robot", "plugin", "level", "line"]);
+    const table = element("table", { class: "list tight", id: "log" }, heads, this.body);
     box.append(
       element("div", { class: "filters" }, this.level, this.plugin, this.count),
-      element(
-        "div",
-        { class: "scroll" },
-        element(
-          "table",
-          { class: "list tight", id: "log" },
-          heading(["time", "robot", "plugin", "level", "line"]),
-          this.body,
-        ),
-      ),
+      element("div", { class: "scroll" }, table),
     );
-    this.body.addEventListener("click", ({ target }) => {
-      const line = target instanceof Element ? target.closest("tr") : null;
-      const time = line?.dataset.time;
-      // Who marks text to take it along stays.
-      if (time !== undefined && getSelection()?.isCollapsed !== false) jump(Number(time));
-    });
+    jumpFrom(table, ({ dataset }) => jump(Number(dataset.time)));
     this.fill();
   }
 
@@ -101,18 +90,14 @@ export class LogPanel {
     this.drawn = { first: shown[0], last };
     const rows = shown.map((line) => this.rowOf(line));
     const current = last === null ? null : (rows[shown.indexOf(last)] ?? null);
-    current?.setAttribute("aria-current", "true");
-    this.body.replaceChildren(...rows);
-    if (rows.length === 0)
-      this.body.append(element("tr", {}, element("td", { colspan: "5", class: "muted" }, "No such line")));
-    current?.scrollIntoView({ block: "center" });
+    replaceRows(this.body, rows, current, "No such line");
   }
 
   private rowOf({ time, side, robot, plugin, level, text }: LogLine): HTMLTableRowElement {
     const team = this.match.about.teams[side].name;
     return row(
       [
-        element("td", {}, element("button", { class: "link", type: "button" }, timeText(time))),
+        timeCell(time),
         element(
           "td",
           { title: `${team} ${robot}` },

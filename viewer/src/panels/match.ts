@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The match in sums: for each role of both teams how long it was held twice or by nobody and how often it was taken;
-// the events; and what is needed to play the match again.
-import { fixed, timeText } from "../model/text";
+// The match in sums: for each role of both teams its role overlaps, how long nobody held it and how often it was taken;
+// and what is needed to play the match again.
+import { fixed } from "../model/text";
 import type { Switches } from "../model/switches";
 import { type Side, bothSides, sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
-import { eventText } from "../recording/messages";
 import { element, heading, named, numeric, row } from "./elements";
 
 export class MatchPanel {
@@ -15,7 +14,6 @@ export class MatchPanel {
     box: HTMLElement,
     private readonly match: Match,
     name: string,
-    jump: (time: number) => void,
   ) {
     const { about } = match;
     const facts: [string, string][] = [
@@ -30,37 +28,11 @@ export class MatchPanel {
     const list = element("dl", { class: "facts" });
     for (const [key, value] of facts)
       if (value !== "") list.append(element("dt", {}, key), element("dd", { dir: "auto" }, value));
-    const events = element(
-      "tbody",
-      {},
-      ...match.events.map((event) =>
-        row([
-          element(
-            "td",
-            {},
-            element("button", { class: "link", type: "button", "data-time": String(event.time) }, timeText(event.time)),
-          ),
-          named(eventText(event)),
-          named(`${about.teams[event.side].name}${event.robot > 0 ? ` ${event.robot}` : ""}`),
-          numeric(event.score.join(" : ")),
-        ]),
-      ),
-    );
-    events.addEventListener("click", (clicked) => {
-      const time = clicked.target instanceof HTMLElement ? clicked.target.dataset.time : undefined;
-      if (time !== undefined) jump(Number(time));
-    });
     box.append(
       element(
         "div",
         { class: "match-columns" },
         ...bothSides.map((side) => this.sums(side)),
-        element(
-          "section",
-          {},
-          element("h3", {}, "Events"),
-          element("table", { class: "list tight", id: "events" }, heading(["time", "event", "team", "#score"]), events),
-        ),
         element("section", {}, element("h3", {}, "This recording"), list),
       ),
     );
@@ -93,7 +65,7 @@ export class MatchPanel {
       element(
         "table",
         { class: "list tight sums", id: `sums-${sideNames[side]}` },
-        heading(["role", "#held twice,\u00a0s", "#uncovered,\u00a0s", "#switches"]),
+        heading(["role", "#role overlap,\u00a0s", "#uncovered,\u00a0s", "#switches"]),
         body,
       ),
     );

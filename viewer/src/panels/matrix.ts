@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The Utility Estimation Matrix as a heat map: a row for each active robot, a column for each kept task, the chosen
-// entries framed; and the terms behind the entry that is pointed at or focused.
+// entries framed; and the terms behind one entry: that of the role held, until the reader points at another.
 import { heat } from "../app/palette";
+import type { Robot } from "../app/state";
 import { isOld, roleName, shortRoleName } from "../model/look";
 import { fixed } from "../model/text";
-import type { Side } from "../recording/about";
 import type { Match } from "../recording/match";
 import type { Decision } from "../recording/messages";
 import { brokenName, element, heading, manyColumns, moveWithArrows, numeric, row, setText } from "./elements";
@@ -18,6 +18,26 @@ function shareOf(value: number, least: number, most: number): number {
 
 const shown = (value: number) => fixed(value, Math.abs(value) < 10 ? 2 : 1);
 
+interface Entry {
+  robot: number;
+  role: number;
+}
+
+const hasNoEntry = ({ rows, columns }: Decision) => rows.length === 0 || columns.length === 0;
+
+// The entry of the role that the robot holds. Where there is none: another one, and `why` it is not that of the role.
+export function heldEntry(decision: Decision, self: number, nameOf: (role: number) => string): Entry & { why: string } {
+  const { rows, columns, role, utility } = decision;
+  const i = Math.max(0, rows.indexOf(self));
+  const robot = rows[i]!;
+  if (robot !== self) return { robot, role: columns[0]!, why: `robot ${self} has no row; shown: robot ${robot}` };
+  if (columns.includes(role)) return { robot, role, why: "" };
+  const values = columns.map((_, j) => utility[i]?.[j] ?? -Infinity);
+  const best = columns[values.indexOf(Math.max(...values))]!;
+  const holds = role < 0 ? "holds no role" : `holds ${nameOf(role)}, which has no column`;
+  return { robot, role: best, why: `robot ${self} ${holds}; shown: its best entry,` };
+}
+
 export class UtilityMatrix {
   readonly table = element("table", { class: "matrix", role: "grid", "aria-label": "Utility Estimation Matrix" });
   readonly terms = element("div", { class: "terms" });
@@ -26,34 +46,34 @@ export class UtilityMatrix {
   private shape = "";
   private cells: HTMLTableCellElement[][] = [];
   private decision: Decision | null = null;
-  private side: Side = 0;
-  private self = 0;
-  private pointed: { robot: number; role: number } | null = null;
+  private robot: Robot = { side: 0, number: 0 };
+  private pointed: Entry | null = null; // by the reader; null: at nothing
 
   constructor(private readonly match: Match) {
     const place = (event: Event) => (event.target instanceof Element ? event.target.closest("td") : null);
     const point = (event: Event) => {
       const cell = place(event);
-      if (cell === null || this.decision === null) return;
-      this.pointed = {
-        robot: this.decision.rows[Number(cell.dataset.row)] ?? 0,
-        role: this.decision.columns[Number(cell.dataset.column)] ?? -1,
-      };
+      const robot = this.decision?.rows[Number(cell?.dataset.row)];
+      const role = this.decision?.columns[Number(cell?.dataset.column)];
+      if (robot === undefined || role === undefined) return;
+      if (robot === this.pointed?.robot && role === this.pointed.role) return;
+      this.pointed = { robot, role };
       this.showTerms();
     };
-    this.table.addEventListener("pointerover", point);
-    this.table.addEventListener("focusin", point);
+    // Not when cells come to lie under a pointer that rests: that is no choice of the reader.
+    for (const kind of ["pointermove", "pointerdown", "focusin"]) this.table.addEventListener(kind, point);
     moveWithArrows(this.table);
   }
 
-  update(side: Side, self: number, decision: Decision | null): void {
-    if (decision === this.decision && side === this.side && self === this.self) return;
-    if (side !== this.side || self !== this.self) this.pointed = null;
-    this.side = side;
-    this.self = self;
+  update(robot: Robot, decision: Decision | null): void {
+    if (decision === this.decision && robot === this.robot) return;
+    if (robot !== this.robot) this.pointed = null;
+    this.robot = robot;
     this.decision = decision;
-    if (decision === null || decision.columns.length === 0) {
+    const { side, number: self } = robot;
+    if (decision === null || hasNoEntry(decision)) {
       this.shape = "";
+      this.pointed = null;
       this.table.replaceChildren(
         element("caption", {}, decision === null ? "No decision yet" : "This decision has no utilities"),
       );
@@ -64,14 +84,9 @@ export class UtilityMatrix {
     if (shape !== this.shape) this.build(decision);
     this.shape = shape;
     this.fill(decision);
-    if (
-      this.pointed === null ||
-      !decision.rows.includes(this.pointed.robot) ||
-      !decision.columns.includes(this.pointed.role)
-    ) {
-      const own = decision.columns.includes(decision.role) ? decision.role : decision.columns[0]!;
-      this.pointed = { robot: decision.rows.includes(self) ? self : decision.rows[0]!, role: own };
-    }
+    const { pointed } = this;
+    if (pointed !== null && !(decision.rows.includes(pointed.robot) && decision.columns.includes(pointed.role)))
+      this.pointed = null;
     this.showTerms();
   }
 
@@ -92,8 +107,8 @@ export class UtilityMatrix {
     const heads = decision.columns.map((role) =>
       element(
         "th",
-        { scope: "col", title: roleName(this.match, this.side, role) },
-        ...brokenName(shortRoleName(this.match, this.side, role), decision.columns.length > manyColumns ? 6 : 7),
+        { scope: "col", title: roleName(this.match, this.robot.side, role) },
+        ...brokenName(shortRoleName(this.match, this.robot.side, role), decision.columns.length > manyColumns ? 6 : 7),
       ),
     );
     const body = element(
@@ -102,7 +117,7 @@ export class UtilityMatrix {
       ...decision.rows.map((robot, i) =>
         element(
           "tr",
-          robot === this.self ? { class: "own" } : {},
+          robot === this.robot.number ? { class: "own" } : {},
           element("th", { scope: "row" }, `robot ${robot}`),
           ...this.cells[i]!,
         ),
@@ -134,7 +149,7 @@ export class UtilityMatrix {
         cell.style.background = shade?.fill ?? "";
         cell.style.color = shade?.ink ?? "";
         cell.className = `${value === null ? "forbidden" : ""} ${chosen ? "chosen" : ""}`.trim();
-        const role = roleName(this.match, this.side, decision.columns[j]!);
+        const role = roleName(this.match, this.robot.side, decision.columns[j]!);
         cell.setAttribute(
           "aria-label",
           `robot ${robot}, ${role}: ${value === null ? "forbidden" : value}${chosen ? ", chosen" : ""}`,
@@ -145,13 +160,16 @@ export class UtilityMatrix {
 
   private showTerms(): void {
     const { decision, pointed } = this;
-    if (decision === null || pointed === null) return;
-    const i = decision.rows.indexOf(pointed.robot);
-    const j = decision.columns.indexOf(pointed.role);
+    if (decision === null || hasNoEntry(decision)) return;
+    const nameOf = (role: number) => roleName(this.match, this.robot.side, role);
+    const { robot, role, why } =
+      pointed === null ? heldEntry(decision, this.robot.number, nameOf) : { ...pointed, why: "" };
+    const i = decision.rows.indexOf(robot);
+    const j = decision.columns.indexOf(role);
     for (const cells of this.cells) for (const cell of cells) cell.removeAttribute("aria-selected");
     this.cells[i]?.[j]?.setAttribute("aria-selected", "true");
     const utility = decision.utility[i]?.[j] ?? null;
-    const terms = this.match.about.teams[this.side].contexts[decision.context]?.terms ?? [];
+    const terms = this.match.about.teams[this.robot.side].contexts[decision.context]?.terms ?? [];
     const body = element("tbody");
     let sum = 0;
     const greatest = Math.max(
@@ -193,7 +211,7 @@ export class UtilityMatrix {
       ),
     );
     this.terms.replaceChildren(
-      element("h3", {}, `robot ${pointed.robot} as ${roleName(this.match, this.side, pointed.role)}`, this.termsAge),
+      element("h3", {}, `${why === "" ? `robot ${robot}` : why} as ${nameOf(role)}`, this.termsAge),
       element("table", { class: "list tight" }, heading(["term", "#weight", "#value", "#share", ""]), body),
     );
   }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The list of stretches in which a role was held twice, or by nobody, to jump to. Those of a second or more come first;
+// The list of role overlaps, stretches in which two robots or more held one role, and of uncovered roles, to jump to. Those of a second or more come first;
 // the shorter ones are folded, with their number.
 import { roleName } from "../model/look";
-import type { Stretch } from "../model/roles";
-import { type StretchOrder, groupedStretches, longSeconds } from "../model/stretch_list";
-import { fixed, timeText } from "../model/text";
+import { type Stretch, type StretchOrder, groupedStretches, longSeconds } from "../model/roles";
+import { fixed } from "../model/text";
 import { type Side, bothSides, sideNames } from "../recording/about";
 import { lastNotAfter } from "../recording/log";
 import type { Match } from "../recording/match";
 import { element, heading, named, numeric, row, setText, titleOf } from "./elements";
+import { jumpFrom, reveal, timeCell } from "./jump_list";
 
 type Kind = "overlaps" | "uncovered";
 
@@ -50,7 +50,7 @@ export class OverlapList {
   ) {
     const option = (select: HTMLSelectElement, value: string, text: string) =>
       select.append(element("option", { value }, text));
-    option(this.kind, "overlaps", "roles held twice");
+    option(this.kind, "overlaps", "role overlaps");
     option(this.kind, "uncovered", "uncovered roles");
     option(this.side, "", "both teams");
     for (const side of bothSides)
@@ -69,22 +69,13 @@ export class OverlapList {
       element("div", { class: "filters" }, ...this.selects, this.count, this.fold),
       element("div", { class: "scroll" }, this.table),
     );
-    this.table.addEventListener("click", (event) => this.pick(event.target));
-    this.table.addEventListener("keydown", (event) => {
-      if (event.key === "Enter") this.pick(event.target);
-    });
+    jumpFrom(this.table, (found) => this.jump(this.listed[this.rows.indexOf(found)]!));
     this.fillRoles();
     this.fill();
   }
 
   private get selects(): HTMLSelectElement[] {
     return [this.kind, this.side, this.role, this.least, this.order];
-  }
-
-  private pick(target: EventTarget | null): void {
-    const found = target instanceof Element ? target.closest("tr") : null;
-    const stretch = found === null ? undefined : this.listed[this.rows.indexOf(found)];
-    if (stretch !== undefined) this.jump(stretch);
   }
 
   private fillRoles(): void {
@@ -140,7 +131,7 @@ export class OverlapList {
     const team = named(this.match.about.teams[stretch.side].name);
     team.prepend(element("span", { class: `mark ${sideNames[stretch.side]}`, "aria-hidden": "true" }));
     return row([
-      element("td", {}, element("button", { class: "link", type: "button" }, timeText(stretch.from))),
+      timeCell(stretch.from),
       numeric(`${fixed(stretch.samples / 10, 1)} s`),
       named(roleName(this.match, stretch.side, stretch.role)),
       stretch.robots.length > 0 ? stretch.robots.join("  ") : "none",
@@ -152,7 +143,7 @@ export class OverlapList {
   private unfold(): void {
     this.unfolded = !this.unfolded;
     this.fill();
-    if (this.unfolded) this.table.querySelector(".group:nth-last-child(2)")?.scrollIntoView({ block: "center" });
+    if (this.unfolded) reveal(this.table.querySelector<HTMLElement>(".group:nth-last-child(2) tr"), "center");
   }
 
   // The stretches that are unfolded now, by time.
@@ -170,6 +161,6 @@ export class OverlapList {
     this.marked?.removeAttribute("aria-current");
     now?.setAttribute("aria-current", "true");
     this.marked = now;
-    if (scroll) now?.scrollIntoView({ block: "nearest" });
+    if (scroll) reveal(now, "nearest");
   }
 }

@@ -98,7 +98,7 @@ export class RobotPanel {
     this.head(robot, look, view);
     const same = this.shown.robot === robot;
     if (!same || look.decision !== this.shown.decision) {
-      this.matrix.update(robot.side, robot.number, look.decision);
+      this.matrix.update(robot, look.decision);
       this.showContext(robot, look.decision);
       this.showTasks(robot, look.decision);
     }

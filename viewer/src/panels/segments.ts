@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What plugins say to their counterparts in teammates, around the moment: which bytes were offered, what became of
 // them, and who heard them. What has not happened yet stands there in grey.
-import { around } from "../model/around";
+import { around } from "../recording/log";
 import { type Reach, type Segment, reachOf, spacedBytes } from "../model/segments";
 import { shortened, timeText, words } from "../model/text";
 import { bothSides, sideNames } from "../recording/about";
 import type { Match } from "../recording/match";
 import { element, heading, named, row, titleOf } from "./elements";
+import { jumpFrom, replaceRows, timeCell } from "./jump_list";
 
 const rowsBefore = 40;
 const rowsAfter = 10;
@@ -55,23 +56,13 @@ export class SegmentPanel {
         this.fill();
         this.update(this.time);
       });
+    const heads = heading(["offered", "robot", "plugin", "says", "then", "heard by"]);
+    const table = element("table", { class: "list tight", id: "segments" }, heads, this.body);
     box.append(
       element("div", { class: "filters" }, ...this.selects, this.count),
-      element(
-        "div",
-        { class: "scroll" },
-        element(
-          "table",
-          { class: "list tight", id: "segments" },
-          heading(["offered", "robot", "plugin", "says", "then", "heard by"]),
-          this.body,
-        ),
-      ),
+      element("div", { class: "scroll" }, table),
     );
-    this.body.addEventListener("click", ({ target }) => {
-      const time = target instanceof HTMLElement ? target.dataset.time : undefined;
-      if (time !== undefined) jump(Number(time));
-    });
+    jumpFrom(table, ({ dataset }) => jump(Number(dataset.time)));
     this.fill();
   }
 
@@ -123,11 +114,7 @@ export class SegmentPanel {
     this.drawn = drawn;
     const rows = shown.map((segment) => this.rowOf(segment, now));
     const current = last === null ? null : (rows[shown.indexOf(last)] ?? null);
-    current?.setAttribute("aria-current", "true");
-    this.body.replaceChildren(...rows);
-    if (rows.length === 0)
-      this.body.append(element("tr", {}, element("td", { colspan: "6", class: "muted" }, "No such segment")));
-    current?.scrollIntoView({ block: "center" });
+    replaceRows(this.body, rows, current, "No such segment");
   }
 
   private rowOf(segment: Segment, now: number): HTMLTableRowElement {
@@ -143,18 +130,18 @@ export class SegmentPanel {
     const then = element("td", { class: later(segment.at), title: this.fateTitle(segment) }, fateText(segment));
     return row(
       [
-        element(
-          "td",
-          {},
-          element("button", { class: "link", type: "button", "data-time": String(from) }, timeText(from)),
-        ),
+        timeCell(from),
         who,
         named(plugin, {}, `${plugin}, place ${place}`),
         this.says(segment),
         then,
         this.heardBy(segment, now),
       ],
-      { class: later(from), "data-segment": `${sideNames[side]}/${robot}/${segment.handle}` },
+      {
+        class: later(from),
+        "data-time": String(from),
+        "data-segment": `${sideNames[side]}/${robot}/${segment.handle}`,
+      },
     );
   }
 
@@ -201,4 +188,3 @@ function fateText({ fate, at, why }: Segment): string {
 
 // Where nobody has said anything there is nothing to list.
 export const hasSegments = (match: Match): boolean => match.segments.all.length > 0;
-

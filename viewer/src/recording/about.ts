@@ -43,6 +43,7 @@ export interface Context {
   list: string;
   utilityKnowledge: string;
   tasksKnowledge: string;
+  waypointsKnowledge: string; // world that the positioner is given
   terms: Term[];
   positioner: string;
   assigner: string;
@@ -137,6 +138,7 @@ function contextOf(value: unknown, where: string): Context {
     list: word("list"),
     utilityKnowledge: word("utility_knowledge"),
     tasksKnowledge: word("tasks_knowledge"),
+    waypointsKnowledge: word("waypoints_knowledge") || word("tasks_knowledge"),
     terms: checked.list(context.terms ?? [], `${where}.terms`, termOf),
     positioner: word("positioner"),
     assigner: word("assigner"),

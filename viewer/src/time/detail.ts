@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A window of the match: what happened with the ball; a row for each robot of one team with the roles it held and the
-// packets it sent; roles held twice are framed in the rows and named below, in a lane each, and so are those that nobody
-// held.
+// packets it sent; role overlaps are framed in the rows and named below, in a lane each, and so are uncovered roles.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
 import type { View } from "../app/state";
@@ -18,9 +17,9 @@ import { drawPlays, playLane } from "./plays";
 import { type TimeScale, gutter, margin, tickSeconds } from "./scale";
 
 const axisHeight = 24; // times above, events below
-const laneHeight = 10; // of overlaps and of uncovered roles, below the rows
-const mostLanes = [3, 2]; // of overlaps, of uncovered roles
-const stripsMargin = 6;
+const laneHeight = 10; // of role overlaps and of uncovered roles, below the rows
+const mostLanes = [3, 2]; // of role overlaps, of uncovered roles
+const stripsMargin = 9; // above, between and below them
 const leastRoom = 24; // for a name
 const foot = 2; // of each row, for packets
 
@@ -79,7 +78,7 @@ export class Detail {
 
   get strips(): [Strip, Strip] {
     const [over, under] = this.lanes;
-    const top = this.canvas.height - (over + under) * laneHeight - 3;
+    const top = this.canvas.height - (over + under) * laneHeight - 6;
     return [
       { kind: "overlaps", top, lanes: over },
       { kind: "uncovered", top: top + over * laneHeight + 2, lanes: under },
@@ -393,7 +392,7 @@ export class Detail {
     context.fillStyle = palette.muted;
     if (this.rowsTop > axisHeight) context.fillText("with the ball", gutter - 8, (axisHeight + this.rowsTop) / 2);
     for (const { kind, top, lanes } of this.strips) {
-      const text = kind === "overlaps" ? "held twice" : "uncovered";
+      const text = kind === "overlaps" ? "role overlap" : "uncovered";
       context.fillText(text, gutter - 8, top + (lanes * laneHeight) / 2);
     }
   }

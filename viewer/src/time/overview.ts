@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The whole match in one line: when the ball was in play, goals and penalties, where roles overlapped, and which part
+// The whole match in one line: when the ball was in play, goals and penalties, role overlaps, and which part
 // the window below shows.
 import { Canvas, font } from "../app/canvas";
 import type { Palette } from "../app/palette";
@@ -77,7 +77,7 @@ export class Overview {
         from = -1;
       }
     }
-    // Overlaps: home hangs from the top, away stands on the bottom.
+    // Role overlaps: home hangs from the top, away stands on the bottom.
     for (const side of bothSides) {
       context.fillStyle = palette.overlap;
       for (const { from, to } of match.courses[side].overlaps) {

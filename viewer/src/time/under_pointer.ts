@@ -45,8 +45,8 @@ export function underPointer(detail: Detail, view: View, px: number, py: number)
     for (const stretch of match.courses[side][kind].filter(inStretch)) {
       const name = roleName(match, side, stretch.role);
       const length = secondsText(stretch.samples / 10);
-      const who = kind === "overlaps" ? `robots ${listText(stretch.robots)}` : "nobody";
-      lines.push(`${name}: ${who} for ${length}, from ${timeText(stretch.from)}`);
+      const what = kind === "overlaps" ? `role overlap of ${listText(stretch.robots)}` : "uncovered";
+      lines.push(`${name}: ${what} for ${length}, from ${timeText(stretch.from)}`);
     }
     return { lines, robot: null };
   }

@@ -3,9 +3,8 @@
  * The best pair of a free robot and a free task, again and again. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -61,8 +60,6 @@ static int32_t assign(void* instance, const regista_frame* frame, const regista_
 
 static const regista_assigner calls = {.size = sizeof(regista_assigner), .assign = assign};
 
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_ASSIGNER ? &calls : NULL; }
-
 static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter),
                                                 .type = REGISTA_TYPE_REAL,
                                                 .name = "at_least",
@@ -73,50 +70,14 @@ static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter
                                                 .initial = 0.0,
                                                 .flags = REGISTA_PARAMETER_TUNABLE}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->at_least = value(values, 0);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
   (void)environment;
-  return self;
+  self->at_least = regista_number(values, 0);
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)instance, (void)seed, (void)error;
-  return REGISTA_OK;
-}
+static void begin(plugin* self, uint64_t seed) { (void)self, (void)seed; }
 
-static const regista_descriptor descriptor = {
-    .size = sizeof(regista_descriptor),
-    .abi_major = REGISTA_ABI_MAJOR,
-    .abi_minor = REGISTA_ABI_MINOR,
-    .parameter_count = sizeof parameters / sizeof parameters[0],
-    .id = "@NAME@",
-    .version = "0.1.0",
-    .summary = "The best pair of a free robot and a free task, again and again",
-    .licence = "MIT",
-    .build_tag = REGISTA_BUILD_TAG,
-    .parameters = parameters,
-    .parameter_stride = sizeof(regista_parameter),
-    .table = table,
-    .create = create,
-    .reset = reset,
-    .destroy = free,
-    .minimum_major = REGISTA_ABI_MAJOR,
-    .minimum_minor = REGISTA_ABI_MINOR,
-    .reads = REGISTA_READS_NOTHING};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_ASSIGNER, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "The best pair of a free robot and a free task, again and again", .licence = "MIT",
+                 .reads = REGISTA_READS_NOTHING);

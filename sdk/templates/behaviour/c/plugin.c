@@ -2,10 +2,8 @@
  *
  * Stands at the place of its task, away from the ball, and looks at it. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -37,9 +35,6 @@ typedef struct plugin {
   double own_half; /* x below which a robot stands in the own half, with room to spare */
 } plugin;
 
-/* Elements of arrays may be larger than this header knows: step by their stride. */
-static const void* element(regista_span span, uint32_t i) { return (const char*)span.data + (size_t)i * span.stride; }
-
 /* Called in every phase. On entry the robot stands and looks ahead; whoever walks in Set is penalised. */
 static int32_t act(void* instance, const regista_frame* frame, const regista_body* body, regista_action* out,
                    regista_error* error) {
@@ -48,7 +43,7 @@ static int32_t act(void* instance, const regista_frame* frame, const regista_bod
   const int32_t phase = frame->mine->game->phase;
   (void)error;
   if (body->task < 0 || (phase != REGISTA_PHASE_READY && phase != REGISTA_PHASE_PLAYING)) return REGISTA_OK;
-  const regista_task* task = element(frame->tasks, (uint32_t)body->task);
+  const regista_task* task = regista_element(frame->tasks, (uint32_t)body->task);
   place stand = {task->after[0], task->after[1], task->after[2]};
   if ((ball->flags & REGISTA_BALL_KNOWN) != 0) {
     const double direction = atan2(ball->position[1] - body->pose[1], ball->position[0] - body->pose[0]);
@@ -65,8 +60,6 @@ static int32_t act(void* instance, const regista_frame* frame, const regista_bod
 
 static const regista_behaviour calls = {.size = sizeof(regista_behaviour), .act = act};
 
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_BEHAVIOUR ? &calls : NULL; }
-
 static const regista_parameter parameters[] = {
     {.size = sizeof(regista_parameter),
      .type = REGISTA_TYPE_REAL,
@@ -78,50 +71,14 @@ static const regista_parameter parameters[] = {
      .initial = 1.1,
      .flags = REGISTA_PARAMETER_TUNABLE}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->distance = value(values, 0);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
+  self->distance = regista_number(values, 0);
   self->own_half = -environment->robot_radius - 0.2;
-  return self;
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)instance, (void)seed, (void)error;
-  return REGISTA_OK;
-}
+static void begin(plugin* self, uint64_t seed) { (void)self, (void)seed; }
 
-static const regista_descriptor descriptor = {
-    .size = sizeof(regista_descriptor),
-    .abi_major = REGISTA_ABI_MAJOR,
-    .abi_minor = REGISTA_ABI_MINOR,
-    .parameter_count = sizeof parameters / sizeof parameters[0],
-    .id = "@NAME@",
-    .version = "0.1.0",
-    .summary = "Stands at the place of its task, away from the ball, and looks at it",
-    .licence = "MIT",
-    .build_tag = REGISTA_BUILD_TAG,
-    .parameters = parameters,
-    .parameter_stride = sizeof(regista_parameter),
-    .table = table,
-    .create = create,
-    .reset = reset,
-    .destroy = free,
-    .minimum_major = REGISTA_ABI_MAJOR,
-    .minimum_minor = REGISTA_ABI_MINOR,
-    .reads = REGISTA_READS_FACINGS};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_BEHAVIOUR, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "Stands at the place of its task, away from the ball, and looks at it", .licence = "MIT",
+                 .reads = REGISTA_READS_FACINGS);

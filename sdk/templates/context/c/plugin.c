@@ -2,10 +2,8 @@
  *
  * Holds while the ball is near the own goal, with hysteresis: at the edge the answer does not change to and fro. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -45,8 +43,6 @@ static int32_t holds(void* instance, const regista_frame* frame, int32_t* out, r
 
 static const regista_context calls = {.size = sizeof(regista_context), .holds = holds};
 
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_CONTEXT ? &calls : NULL; }
-
 static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter),
                                                 .type = REGISTA_TYPE_REAL,
                                                 .name = "near",
@@ -66,51 +62,18 @@ static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter
                                                 .initial = 0.5,
                                                 .flags = REGISTA_PARAMETER_TUNABLE}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->near = value(values, 0);
-  self->margin = value(values, 1);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
+  self->near = regista_number(values, 0);
+  self->margin = regista_number(values, 1);
   self->goal_x = -environment->field_length / 2.0;
-  return self;
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)seed, (void)error;
-  ((plugin*)instance)->near_now = 0;
-  return REGISTA_OK;
+static void begin(plugin* self, uint64_t seed) {
+  (void)seed;
+  self->near_now = 0;
 }
 
-static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR,
-                                              .abi_minor = REGISTA_ABI_MINOR,
-                                              .parameter_count = sizeof parameters / sizeof parameters[0],
-                                              .id = "@NAME@",
-                                              .version = "0.1.0",
-                                              .summary = "Holds while the ball is near the own goal",
-                                              .licence = "MIT",
-                                              .build_tag = REGISTA_BUILD_TAG,
-                                              .parameters = parameters,
-                                              .parameter_stride = sizeof(regista_parameter),
-                                              .table = table,
-                                              .create = create,
-                                              .reset = reset,
-                                              .destroy = free,
-                                              .minimum_major = REGISTA_ABI_MAJOR,
-                                              .minimum_minor = REGISTA_ABI_MINOR,
-                                              .reads = REGISTA_READS_NOTHING};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_CONTEXT, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "Holds while the ball is near the own goal", .licence = "MIT",
+                 .reads = REGISTA_READS_NOTHING);

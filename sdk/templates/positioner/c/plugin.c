@@ -2,10 +2,9 @@
  *
  * Points on a circle around the ball, evenly, kept on the field. */
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -63,8 +62,6 @@ static int32_t place(void* instance, const regista_frame* frame, regista_placeme
 
 static const regista_positioner calls = {.size = sizeof(regista_positioner), .place = place};
 
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_POSITIONER ? &calls : NULL; }
-
 static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter),
                                                 .type = REGISTA_TYPE_REAL,
                                                 .name = "radius",
@@ -83,51 +80,15 @@ static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter
                                                 .maximum = MOST_POINTS,
                                                 .initial = 6.0}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->radius = value(values, 0);
-  self->count = (int)value(values, 1);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
+  self->radius = regista_number(values, 0);
+  self->count = (int)regista_number(values, 1);
   self->edge[0] = environment->field_length / 2.0;
   self->edge[1] = environment->field_width / 2.0;
-  return self;
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)instance, (void)seed, (void)error;
-  return REGISTA_OK;
-}
+static void begin(plugin* self, uint64_t seed) { (void)self, (void)seed; }
 
-static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR,
-                                              .abi_minor = REGISTA_ABI_MINOR,
-                                              .parameter_count = sizeof parameters / sizeof parameters[0],
-                                              .id = "@NAME@",
-                                              .version = "0.1.0",
-                                              .summary = "Points on a circle around the ball",
-                                              .licence = "MIT",
-                                              .build_tag = REGISTA_BUILD_TAG,
-                                              .parameters = parameters,
-                                              .parameter_stride = sizeof(regista_parameter),
-                                              .table = table,
-                                              .create = create,
-                                              .reset = reset,
-                                              .destroy = free,
-                                              .minimum_major = REGISTA_ABI_MAJOR,
-                                              .minimum_minor = REGISTA_ABI_MINOR,
-                                              .reads = REGISTA_READS_NOTHING};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_POSITIONER, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "Points on a circle around the ball", .licence = "MIT", .reads = REGISTA_READS_NOTHING);

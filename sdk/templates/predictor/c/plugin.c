@@ -3,9 +3,8 @@
  * The ball keeps its velocity: a Kalman filter for which x and y are alike. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -52,9 +51,6 @@ typedef struct plugin {
   moving_ball ball;
 } plugin;
 
-/* Elements of arrays may be larger than this header knows: step by their stride. */
-static const void* element(regista_span span, uint32_t i) { return (const char*)span.data + (size_t)i * span.stride; }
-
 /* In no direction is the variance of (xx, xy, yy) larger than this. Nothing is seen better than to 1 mm. */
 static double most_variance(const double* of) { return fmax(of[0], of[2]) + fabs(of[1]) + 1e-6; }
 
@@ -80,7 +76,7 @@ static int32_t correct(void* instance, regista_span measurements, const regista_
   const regista_measurement* best = NULL;
   (void)area, (void)error;
   for (uint32_t i = 0; i < measurements.count; ++i) {
-    const regista_measurement* seen = element(measurements, i);
+    const regista_measurement* seen = regista_element(measurements, i);
     if (seen->kind != REGISTA_MEASURED_BALL) continue;
     if (best == NULL || (self->known && squared_distance(self, seen) < squared_distance(self, best))) best = seen;
   }
@@ -103,7 +99,7 @@ static int32_t absorb(void* instance, regista_span tracks, double age, regista_e
   (void)error;
   self->known = tracks.count > 0;
   if (!self->known) return REGISTA_OK;
-  const regista_track* told = element(tracks, 0);
+  const regista_track* told = regista_element(tracks, 0);
   self->ball = (moving_ball){.x = told->x,
                              .y = told->y,
                              .vx = told->vx,
@@ -143,8 +139,6 @@ static const regista_predictor calls = {.size = sizeof(regista_predictor),
                                         .absorb = absorb,
                                         .tracks = tracks};
 
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_PREDICTOR ? &calls : NULL; }
-
 static const regista_parameter parameters[] = {
     {.size = sizeof(regista_parameter),
      .type = REGISTA_TYPE_REAL,
@@ -173,52 +167,18 @@ static const regista_parameter parameters[] = {
      .maximum = 60.0,
      .initial = 5.0}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->noise = value(values, 0);
-  self->first_speed = value(values, 1);
-  self->forget_after = value(values, 2);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
   (void)environment;
-  return self;
+  self->noise = regista_number(values, 0);
+  self->first_speed = regista_number(values, 1);
+  self->forget_after = regista_number(values, 2);
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)seed, (void)error;
-  ((plugin*)instance)->known = 0;
-  return REGISTA_OK;
+static void begin(plugin* self, uint64_t seed) {
+  (void)seed;
+  self->known = 0;
 }
 
-static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR,
-                                              .abi_minor = REGISTA_ABI_MINOR,
-                                              .parameter_count = sizeof parameters / sizeof parameters[0],
-                                              .id = "@NAME@",
-                                              .version = "0.1.0",
-                                              .summary = "Ball: keeps its velocity",
-                                              .licence = "MIT",
-                                              .build_tag = REGISTA_BUILD_TAG,
-                                              .parameters = parameters,
-                                              .parameter_stride = sizeof(regista_parameter),
-                                              .table = table,
-                                              .create = create,
-                                              .reset = reset,
-                                              .destroy = free,
-                                              .minimum_major = REGISTA_ABI_MAJOR,
-                                              .minimum_minor = REGISTA_ABI_MINOR,
-                                              .reads = REGISTA_READS_NOTHING};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_PREDICTOR, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "Ball: keeps its velocity", .licence = "MIT", .reads = REGISTA_READS_NOTHING);

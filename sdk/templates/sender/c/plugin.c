@@ -2,10 +2,8 @@
  *
  * When to spend a packet: soon on news, as long as the packets last, else after a while. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -24,9 +22,6 @@ typedef struct plugin {
   int reserve;
 } plugin;
 
-/* Elements of arrays may be larger than this header knows: step by their stride. */
-static const void* element(regista_span span, uint32_t i) { return (const char*)span.data + (size_t)i * span.stride; }
-
 /* Events that the others had better know of; all that there are stand in <regista/abi.h>. */
 static int is_news(int32_t event) {
   return event == REGISTA_EVENT_BALL_KNOWN_AGAIN || event == REGISTA_EVENT_BALL_MOVED || event == REGISTA_EVENT_FELL;
@@ -43,7 +38,7 @@ static int32_t decide(void* instance, const regista_frame* frame, regista_span e
   (void)frame, (void)error;
   out->reason = REGISTA_EVENT_PERIOD;
   for (uint32_t i = 0; i < events.count; ++i) {
-    const regista_event* event = element(events, i);
+    const regista_event* event = regista_element(events, i);
     if (is_news(event->kind)) out->reason = event->kind;
   }
   const int news = out->reason != REGISTA_EVENT_PERIOD, kept = reserve_of(self, budget);
@@ -52,15 +47,13 @@ static int32_t decide(void* instance, const regista_frame* frame, regista_span e
   if (!out->send) return REGISTA_OK;
   /* What other plugins want to send goes along as far as it fits. */
   for (uint32_t i = 0; i < offers.count; ++i) {
-    const regista_offer* offer = element(offers, i);
+    const regista_offer* offer = regista_element(offers, i);
     out->granted[out->granted_count++] = offer->handle;
   }
   return REGISTA_OK;
 }
 
 static const regista_sender calls = {.size = sizeof(regista_sender), .decide = decide};
-
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_SENDER ? &calls : NULL; }
 
 static const regista_parameter parameters[] = {
     {.size = sizeof(regista_parameter),
@@ -90,51 +83,15 @@ static const regista_parameter parameters[] = {
      .maximum = 1000.0,
      .initial = 30.0}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->period = value(values, 0);
-  self->after_news = value(values, 1);
-  self->reserve = (int)value(values, 2);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
   (void)environment;
-  return self;
+  self->period = regista_number(values, 0);
+  self->after_news = regista_number(values, 1);
+  self->reserve = (int)regista_number(values, 2);
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)instance, (void)seed, (void)error;
-  return REGISTA_OK;
-}
+static void begin(plugin* self, uint64_t seed) { (void)self, (void)seed; }
 
-static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR,
-                                              .abi_minor = REGISTA_ABI_MINOR,
-                                              .parameter_count = sizeof parameters / sizeof parameters[0],
-                                              .id = "@NAME@",
-                                              .version = "0.1.0",
-                                              .summary = "A packet on news, else after a while",
-                                              .licence = "MIT",
-                                              .build_tag = REGISTA_BUILD_TAG,
-                                              .parameters = parameters,
-                                              .parameter_stride = sizeof(regista_parameter),
-                                              .table = table,
-                                              .create = create,
-                                              .reset = reset,
-                                              .destroy = free,
-                                              .minimum_major = REGISTA_ABI_MAJOR,
-                                              .minimum_minor = REGISTA_ABI_MINOR,
-                                              .reads = REGISTA_READS_NOTHING};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_SENDER, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "A packet on news, else after a while", .licence = "MIT", .reads = REGISTA_READS_NOTHING);

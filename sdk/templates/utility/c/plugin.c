@@ -2,10 +2,8 @@
  *
  * How good it is for a robot to be near its task. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include <regista/abi.h>
+#include <regista/c.h>
 
 /* --- The idea: knows nothing of Regista, and test.c tests it alone --- */
 
@@ -19,9 +17,6 @@ typedef struct plugin {
   double half_at; /* m */
 } plugin;
 
-/* Elements of arrays may be larger than this header knows: step by their stride. */
-static const void* element(regista_span span, uint32_t i) { return (const char*)span.data + (size_t)i * span.stride; }
-
 /* The world that the team wants this call to be computed on. */
 static const regista_world* world_of(const regista_frame* frame) {
   return frame->knowledge == REGISTA_COMMON ? frame->common : frame->mine;
@@ -33,10 +28,10 @@ static int32_t score(void* instance, const regista_frame* frame, const regista_m
   const regista_world* world = world_of(frame);
   (void)error;
   for (uint32_t row = 0; row < out->rows; ++row) {
-    const int32_t* number = element(world->active, row);
-    const regista_robot* robot = element(world->robots, (uint32_t)*number - 1);
+    const int32_t* number = regista_element(world->active, row);
+    const regista_robot* robot = regista_element(world->robots, (uint32_t)*number - 1);
     for (uint32_t column = 0; column < out->columns; ++column) {
-      const regista_task* task = element(frame->tasks, column);
+      const regista_task* task = regista_element(frame->tasks, column);
       const double distance = hypot(task->after[0] - robot->pose[0], task->after[1] - robot->pose[1]);
       out->values[(size_t)row * out->stride + column] = nearness(distance, self->half_at);
     }
@@ -45,8 +40,6 @@ static int32_t score(void* instance, const regista_frame* frame, const regista_m
 }
 
 static const regista_utility calls = {.size = sizeof(regista_utility), .score = score};
-
-static const void* table(int32_t kind) { return kind == REGISTA_KIND_UTILITY ? &calls : NULL; }
 
 static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter),
                                                 .type = REGISTA_TYPE_REAL,
@@ -58,49 +51,13 @@ static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter
                                                 .initial = 2.0,
                                                 .flags = REGISTA_PARAMETER_TUNABLE}};
 
-static double value(regista_span values, uint32_t i) {
-  return ((const regista_value*)((const char*)values.data + (size_t)i * values.stride))->number;
-}
-
-static void* create(const regista_environment* environment, const regista_host* host, regista_span values,
-                    regista_error* error) {
-  plugin* self = calloc(1, sizeof *self);
-  (void)host;
-  if (self == NULL) {
-    strcpy(error->text, "out of memory");
-    return NULL;
-  }
-  self->half_at = value(values, 0);
+static void set(plugin* self, const regista_environment* environment, regista_span values) {
   (void)environment;
-  return self;
+  self->half_at = regista_number(values, 0);
 }
 
 /* The beginning of a match. */
-static int32_t reset(void* instance, uint64_t seed, regista_error* error) {
-  (void)instance, (void)seed, (void)error;
-  return REGISTA_OK;
-}
+static void begin(plugin* self, uint64_t seed) { (void)self, (void)seed; }
 
-static const regista_descriptor descriptor = {.size = sizeof(regista_descriptor),
-                                              .abi_major = REGISTA_ABI_MAJOR,
-                                              .abi_minor = REGISTA_ABI_MINOR,
-                                              .parameter_count = sizeof parameters / sizeof parameters[0],
-                                              .id = "@NAME@",
-                                              .version = "0.1.0",
-                                              .summary = "Nearness of the robot to the task",
-                                              .licence = "MIT",
-                                              .build_tag = REGISTA_BUILD_TAG,
-                                              .parameters = parameters,
-                                              .parameter_stride = sizeof(regista_parameter),
-                                              .table = table,
-                                              .create = create,
-                                              .reset = reset,
-                                              .destroy = free,
-                                              .minimum_major = REGISTA_ABI_MAJOR,
-                                              .minimum_minor = REGISTA_ABI_MINOR,
-                                              .reads = REGISTA_READS_NOTHING};
-
-const regista_descriptor* regista_plugin_entry(uint32_t host_major, uint32_t host_minor, uint32_t index) {
-  (void)host_major, (void)host_minor;
-  return index == 0 ? &descriptor : NULL;
-}
+REGISTA_C_PLUGIN(plugin, REGISTA_KIND_UTILITY, calls, parameters, set, begin, .id = "@NAME@", .version = "0.1.0",
+                 .summary = "Nearness of the robot to the task", .licence = "MIT", .reads = REGISTA_READS_NOTHING);

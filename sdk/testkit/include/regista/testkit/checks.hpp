@@ -13,17 +13,7 @@
 #include <string>
 #include <vector>
 
-#include <regista/testkit/check_assigner.hpp>
-#include <regista/testkit/check_behaviour.hpp>
-#include <regista/testkit/check_context.hpp>
-#include <regista/testkit/check_descriptor.hpp>
-#include <regista/testkit/check_life.hpp>
-#include <regista/testkit/check_mailbox.hpp>
-#include <regista/testkit/check_positioner.hpp>
-#include <regista/testkit/check_predictor.hpp>
-#include <regista/testkit/check_rehearsal.hpp>
-#include <regista/testkit/check_sender.hpp>
-#include <regista/testkit/check_utility.hpp>
+#include <regista/testkit/kind_checks.hpp>
 
 namespace regista::testkit {
 
@@ -38,14 +28,14 @@ struct Check {
 // kind: REGISTA_KIND_PREDICTOR .. REGISTA_KIND_SENDER, or REGISTA_KIND_BEHAVIOUR.
 std::vector<Check> contract(std::int32_t kind);
 
-// The course that the checks of a kind play with a plugin.
-std::vector<Course> courses(std::int32_t kind, const Loaded& plugin, const Options& options);
+// The scenario that the checks of a kind play with a plugin.
+std::vector<Scenario> scenarios(std::int32_t kind, const Loaded& plugin, const Options& options);
 
-// A number for all that a plugin answers in that course, with its default parameters: the same in every process, unless
-// the plugin depends on what it must not depend on.
-std::uint64_t course_digest(std::int32_t kind, const Loaded& plugin, const Options& options);
+// A number for all that a plugin answers in that scenario, with its default parameters: the same in every process,
+// unless the plugin depends on what it must not depend on.
+std::uint64_t scenario_digest(std::int32_t kind, const Loaded& plugin, const Options& options);
 
-// The same, of the beginnings of those courses, for each robot of a team whose robots are asked in turns, as in a
+// The same, of the beginnings of those scenarios, for each robot of a team whose robots are asked in turns, as in a
 // match: once all the same, and once more each something else. `only`: that robot alone, from 0, and then the others'
 // are 0. Robots that decide alone have the same numbers either way, where nothing of the plugin was called before in
 // the process.
@@ -55,7 +45,7 @@ inline constexpr std::size_t robots_of_a_team = 7;
 
 // Plays these beginnings with one instance; `after` gets the name of each step that it has played. For what plugins
 // leave in memory, for example.
-void play_course(std::int32_t kind, const Loaded& plugin, const Options& options,
-                 const std::function<void(const std::string& step)>& after);
+void play_scenario(std::int32_t kind, const Loaded& plugin, const Options& options,
+                   const std::function<void(const std::string& step)>& after);
 
 }  // namespace regista::testkit

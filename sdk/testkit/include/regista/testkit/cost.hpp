@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the calls of a plugin cost, measured over the course that its contract plays, with its default parameters. Wall
-// time of this machine: for authors, not for tests.
+// What the calls of a plugin cost, measured over the scenario that its contract plays, with its default parameters.
+// Wall time of this machine: for authors, not for tests.
 #pragma once
 
 #include <cstddef>
@@ -21,7 +21,7 @@ struct Cost {
   std::optional<double> allocations;  // by operator new, mean of a call; none: nobody counted
 };
 
-// Each course is played twice with the same instance, and the second time counts: what is kept from call to call is
+// Each scenario is played twice with the same instance, and the second time counts: what is kept from call to call is
 // there by then. allocated: how often this process has allocated by operator new; null: not counted. kind: as of
 // contract(). By the name of the call. Throws CallFailed when an instance cannot be created.
 std::vector<Cost> cost_of_calls(std::int32_t kind, const Loaded& plugin, const Options& options,

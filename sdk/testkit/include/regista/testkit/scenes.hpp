@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The situations in which every plugin is tried: the usual, the degenerate and the absurd. In this order they are a
-// course: ticks and times rise.
+// scenario: ticks and times rise.
 #pragma once
 
 #include <cstdint>

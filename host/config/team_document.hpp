@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// The document of a team as it is written, key by key. config/team.cpp makes the struct Team from this document: in
+// Team, the `use:` of each context has been laid over the team's values.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "config/declaration.hpp"
+#include "config/node.hpp"
+#include "config/team.hpp"
+
+namespace regista::config {
+
+struct Predictors {
+  PluginUse self, ball, opponents, teammates;
+};
+
+// The values that a context may change: the keys of `use:` except `roles` and `targets`.
+struct Coordination {
+  PluginUse positioner;  // empty plugin: no waypoints
+  TaskRules tasks;
+  Knowledge utility_knowledge = Knowledge::mine;
+  std::vector<UtilityTerm> terms;
+  PluginUse assigner, sender;
+};
+
+struct ContextPage {
+  std::string name;
+  int priority = 0;
+  PluginUse plugin;
+  Knowledge knowledge = Knowledge::mine;
+  Node use;
+  Location where;
+};
+
+// The target of a role in a context, `use: {targets: {ROLE: ...}}`.
+struct RoleTarget {
+  std::string name;  // name of the role
+  TargetRule target;
+};
+
+struct TeamDocument {
+  std::string name;
+  Predictors predictors;
+  std::vector<ContextPage> contexts;
+  Coordination coordination;
+  std::vector<RoleList> role_lists;
+  std::vector<Behaviour> behaviours;
+  std::string behaviour_without_role = Team{}.behaviour_without_role;
+  double forget_teammate_after = Team{}.forget_teammate_after;
+};
+
+Map declare(TeamDocument& page);
+Map declare(Coordination& coordination);
+Map declare(std::vector<RoleTarget>& targets);
+
+// Returns the keys with which a path in `use:` may begin.
+const std::vector<std::string>& usable_keys();
+
+// Returns the document's positioner, tasks, utility, assigner and sender, with the `use` of a context laid over them.
+Node in_context(const Node& document, const Node& use);
+
+// Returns the targets in `use` as a map from roles to targets; absent if `use` has no targets. `use` may hold the
+// targets as a map or as dotted paths. Throws Error at a path to a value that does not exist.
+Node targets_of(const Node& use);
+
+// Reads and checks a team's document. A role without a behaviour in the document gets the default of Role::behaviour.
+TeamDocument read_team_document(const Node& document);
+TeamDocument read_team_document(const Node& document, Mistakes& mistakes);
+
+// Returns the keys `plugin`, `file` and `params` of a plugin, for a map that also has other keys.
+std::vector<Field> plugin_fields(PluginUse& use);
+
+// Returns a section with exactly the keys `plugin`, `file` and `params`. kind: kind of the plugin, such as "predictor".
+Field plugin_field(std::string key, PluginUse& use, std::string kind, std::string doc);
+
+}  // namespace regista::config

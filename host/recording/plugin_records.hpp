@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// State that recordings and decision logs keep for each robot: its last written decision, the segments that its plugins
+// offered for packets, and the last recorded drawings of its plugins.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "match/side.hpp"
+#include "mind/coordination/coordination.hpp"
+#include "mind/extensions/plugin_log.hpp"
+#include "mind/world/packet.hpp"
+#include "texts/json_text.hpp"
+
+namespace regista::recording {
+
+// The last decision of a robot that was written to the file.
+struct LastDecision {
+  int context = -3, role = -3;  // no decision has these values
+  std::vector<std::int32_t> kept, assignment;
+
+  bool is(const mind::Decision& decision) const;
+  void take(const mind::Decision& decision);
+};
+
+// --- Events of segments: a plugin offers bytes, the bytes leave in a packet or are dropped, teammates hear the packet.
+
+// Finds the offer to which a heard segment belongs. A packet contains places and bytes, but no handles of offers.
+class SentSegments {
+ public:
+  // Returns the handle that the offering robot gave to the offer of this event; 0 if the offer is not known or missing.
+  // The caller must pass every event of every mind in the order of time.
+  std::uint64_t follow(match::Side side, int robot, const mind::SegmentEvent& event);
+
+ private:
+  std::uint64_t handle(match::Side side, const mind::SegmentEvent& heard) const;
+
+  struct Sent {
+    std::int64_t milliseconds;  // ms; time of sending, as precise as in packets
+    int at;                     // index of the segment in its packet
+    std::uint64_t handle;
+  };
+  std::array<std::vector<std::vector<Sent>>, 2> sent_;  // by side and number - 1
+};
+
+struct SegmentRecord {
+  match::Side side;
+  int robot;
+  const mind::SegmentEvent& event;
+  std::uint64_t handle;  // handle of the offer; 0: not known
+  bool left;             // for a sent segment: its packet left the robot
+};
+
+// Writes "side":"home","robot":3,"segment":"offered", ... into an open JSON object (docs/recordings.md).
+void write(texts::JsonText& json, const SegmentRecord& record);
+
+// --- Drawings of plugins in the field. All drawings would be the largest part of a recording. Therefore a layer is
+// recorded only when it has changed, and at most twice a second.
+
+class DrawnLayers {
+ public:
+  struct Change {
+    const char* plugin;
+    std::string_view layer;
+    std::string_view shapes;  // JSON list (docs/recordings.md); empty list: the layer is empty now
+  };
+
+  // Returns the changes to be recorded, which are valid until the next call. The caller must pass every decision of
+  // every robot. direction: attack direction of the team, +1 or -1; it turns shapes into the world frame.
+  std::span<const Change> follow(match::Side side, int robot, double time, std::span<const mind::DrawnShape> shapes,
+                                 double direction);
+
+ private:
+  struct Layer {
+    const char* plugin;
+    std::string name, shapes;  // the shapes as last recorded
+    double told = 0.0;         // s; time of the last record
+  };
+  static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
+
+  std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and number - 1
+  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the present call
+  std::vector<Change> changes_;
+  texts::JsonText json_;
+};
+
+}  // namespace regista::recording

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""--until and --minutes: a study stops after a whole pair, stores where, and is complete; it goes on only if it is asked
+to."""
+
+import json
+import signal
+import subprocess
+
+import experiment
+import program
+import tournament
+
+
+class Clock(tournament.Tournament):
+    # Some matches fit, by far not all.
+    NEVER_DONE = 5000
+    A_WHILE = 0.5 if program.SANITIZED else 0.04  # min
+
+    def stopped(self, *more, file="tournament.db", minutes=A_WHILE):
+        report = json.loads(self.succeed(*self.arguments("--quiet", "--json", "--minutes", minutes, "--results", file, *more,
+                                                         pairs=self.NEVER_DONE)))
+        self.assertTrue(report["complete"])
+        self.assertEqual(report["matches"], 2 * report["ended_after"] * len(report["pairings"]))
+        return report
+
+    def test_a_tournament_ends_with_the_pairs_that_are_whole(self):
+        report = self.stopped("--workers", 3)
+        after = report["ended_after"]
+        self.assertEqual(report["pairs"], self.NEVER_DONE)
+        self.assertLessEqual(self.count() - 2 * after, 1)
+        self.assertIsNotNone(report["pairings"][0]["p"])
+        # Read back and gone on with, it says the same, and plays nothing.
+        self.assertEqual(json.loads(self.succeed("report", "tournament.db", "--json")), report)
+        rows = self.rows()
+        again = self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--json")
+        self.assertEqual((json.loads(again), self.rows()), (report, rows))
+        text = self.succeed("report", "tournament.db")
+        self.assertIn(f"The clock stopped it after {after} of {self.NEVER_DONE} pairs, a number that was fixed without looking "
+                      "at the results.", text)
+        # A fixed number of as many pairs plays and finds the same.
+        fixed = self.report("--results", "fixed.db", pairs=after)
+        self.assertEqual(fixed["pairings"], report["pairings"])
+        self.assertEqual(self.rows("fixed.db"), rows[:2 * after])
+        self.succeed("report", "tournament.db", "--study", "again")
+        self.assertIn(f"\npairs: {after}\n", (self.folder / "again/study.yaml").read_text())
+
+    def test_it_goes_on_if_it_is_asked_to(self):
+        first = self.stopped()["ended_after"]
+        on = json.loads(self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--json", "--minutes", self.A_WHILE))
+        second = on["ended_after"]
+        self.assertGreater(second, first)
+        self.assertEqual(on["pairs_before"], str(first))
+        self.assertIn(f"it has {second} pairs already", self.refused("resume", "tournament.db", "--pairs", second))
+        more = json.loads(self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--json", "--pairs", second + 2))
+        self.assertEqual((more["pairs"], more["pairs_before"], more["complete"]), (second + 2, f"{first}, {second}", True))
+        self.assertNotIn("ended_after", more)
+        self.assertIn("Pairs were added after a look.", self.succeed("report", "tournament.db"))
+
+    def test_without_a_number_of_pairs_as_many_as_fit(self):
+        words = [each for each in self.arguments("--quiet", "--results", "open.db") if each not in ("--pairs", 3)]
+        self.assertIn("pairs: how many are played?", self.refused(*words))
+        report = json.loads(self.succeed(*words, "--json", "--minutes", self.A_WHILE))
+        self.assertEqual(report["matches"], 2 * report["ended_after"])
+        text = self.succeed("report", "open.db")
+        self.assertIn(f"after {report['ended_after']} pairs, a number", text)
+        self.assertNotIn("0000", text)
+        # Interrupted, it must be told how long to go on.
+        words[words.index("open.db")] = "more.db"
+        with self.start(*words, "--minutes", 9, stderr=subprocess.PIPE) as running:
+            self.wait_for(lambda: self.count("more.db") > 0)
+            running.send_signal(signal.SIGINT)
+            self.assertIn("--minutes 9 --resume", running.communicate()[1])
+        self.assertIn("no number of pairs was asked for", self.refused("resume", "more.db"))
+        self.assertIn("without a gap: the tournament is not at its end", self.run_program("report", "more.db").stderr)
+
+    def test_several_pairings_and_a_sequential_test(self):
+        report = self.stopped("--team", "worse.yaml", file="three.db")
+        self.assertEqual({each["games"] for each in report["pairings"]}, {2 * report["ended_after"]})
+        report = self.stopped("--metric", "silent_seconds", file="test.db")
+        self.assertEqual(report["verdict"], "INCONCLUSIVE")
+        on = json.loads(self.succeed("resume", "test.db", "--no-page", "--quiet", "--json", "--minutes", self.A_WHILE))
+        self.assertNotIn("pairs_before", on)  # its error rates hold at any pair
+
+    def test_no_pair_is_no_result(self):
+        done = self.run_program(*self.arguments("--quiet", "--minutes", 0.000001, pairs=50))
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("the time was over before the first pair of matches was played: nothing can be said; to go on: ",
+                      done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertNotIn("ended_after", self.stored("SELECT value FROM meta WHERE name = 'schedule'")[0][0])
+
+    def test_an_experiment_too(self):
+        self.write("e.yaml", experiment.EXPERIMENT.format(more=experiment.PRIMARY).replace("matches: 4", "matches: 5000"))
+        report = json.loads(self.succeed("run", "e.yaml", "--no-page", "--quiet", "--json", "--minutes", self.A_WHILE))
+        after = report["ended_after"]
+        self.assertEqual((report["pairs"], report["matches"], report["complete"]), (2500, 4 * after, True))
+        self.assertIn(f"after {after} of 2500 pairs", " ".join(report["findings"]))
+        self.assertEqual(json.loads(self.succeed("report", "trial.db", "--json")), report)
+        on = json.loads(self.succeed("resume", "trial.db", "--no-page", "--quiet", "--json", "--pairs", after + 1))
+        self.assertEqual((on["pairs"], on["pairs_before"], on["complete"]), (after + 1, str(after), True))
+        self.assertIn("Pairs were added after a look.", on["findings"][0])
+
+    def test_bad_times(self):
+        self.assertIn("this time is past", self.refused(*self.arguments("--until", "2020-01-01T08:00")))
+        self.assertIn("is no time", self.refused(*self.arguments("--until", "8 o'clock")))
+        self.assertIn("expected a number above 0", self.refused(*self.arguments("--minutes", 0)))
+        self.assertIn("one of them", self.refused(*self.arguments("--minutes", 1, "--until", "08:00")))
+        self.assertFalse((self.folder / "tournament.db").exists())
+
+
+class TooFewPairs(tournament.Tournament):
+    def test_a_tournament_says_so_before_it_plays(self):
+        self.assertIn("5 pairs cannot give a verdict: at least 6 are needed\n", self.noted(pairs=5))
+        self.assertNotIn("cannot give a verdict", self.noted(pairs=6))
+        self.assertIn("6 pairs cannot give a verdict: at least 7 are needed with 3 pairings\n",
+                      self.noted(pairs=6, teams=("small.yaml", "other.yaml", "worse.yaml")))
+
+    def noted(self, **options):
+        (self.folder / "tournament.db").unlink(missing_ok=True)
+        done = self.run_program(*self.arguments(**options))
+        self.assertEqual(done.returncode, 0)
+        return done.stderr
+
+
+class Notice(tournament.Tournament):
+    """--notify: a command of the shell when a study has ended, however it has."""
+
+    NOTE = 'printf "%s\\n" "$REGISTA_STATUS" "$REGISTA_MESSAGE" "$REGISTA_RESULTS" > note.txt'
+
+    def note(self):
+        return (self.folder / "note.txt").read_text().splitlines()
+
+    def test_a_study_that_is_complete(self):
+        report = self.succeed(*self.arguments("--quiet", "--results", "r.db", "--notify", self.NOTE))
+        status, message, results = self.note()
+        self.assertEqual((status, results), ("done", str(self.folder / "r.db")))
+        self.assertIn(message, " ".join(report.split()))
+
+    def test_a_study_that_the_clock_stops_before_its_first_pair(self):
+        self.run_program(*self.arguments("--quiet", "--minutes", "0.0001", "--results", "none.db", "--notify", self.NOTE, pairs=500))
+        self.assertEqual(self.note()[0], "stopped")
+
+    def test_a_command_that_fails_changes_no_status(self):
+        done = self.run_program(*self.arguments("--quiet", "--results", "r.db", "--notify", "exit 3"))
+        self.assertEqual((done.returncode, done.stderr), (0, "regista: the command of --notify failed: exit 3\n"))

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "report/match_remarks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "unit/study/experiment_fixture.hpp"
+#include "unit/study/tournament_fixture.hpp"
+
+namespace regista::report {
+namespace {
+
+TEST(PairsText, SaysThatPairsAreTooFew) {
+  using study::plan_of;
+  EXPECT_EQ(too_few_pairs(plan_of(2, 5)), "5 pairs cannot give a verdict: at least 6 are needed");
+  EXPECT_EQ(too_few_pairs(plan_of(2, 6)), "");
+  EXPECT_EQ(too_few_pairs(plan_of(3, 6)), "6 pairs cannot give a verdict: at least 7 are needed with 3 pairings");
+  EXPECT_EQ(too_few_pairs(plan_of(2, 1, study::ValueTest{"goals"})), "");
+  study::TournamentPlan stopped = plan_of(2, 100);
+  stopped.ended_after = 1;
+  EXPECT_EQ(too_few_pairs(stopped), "1 pair cannot give a verdict: at least 6 are needed");
+
+  study::ExperimentPlan plan = study::experiment_of(3, 1, 6);
+  EXPECT_EQ(too_few_pairs(plan), "");  // Student's t needs two
+  plan.asked.primary->test = study::PairTest::sign_flip;
+  EXPECT_EQ(too_few_pairs(plan), "6 pairs cannot give a verdict: at least 7 are needed with 3 comparisons");
+  plan.asked.primary.reset();
+  EXPECT_EQ(too_few_pairs(plan), "");
+}
+
+TEST(PairsText, SaysWhereTheClockStoppedIt) {
+  study::TournamentPlan plan = study::plan_of(2, 100);
+  EXPECT_EQ(stopped_sentence(plan), "");
+  EXPECT_EQ(number_of_pairs(plan), "100 pairs");
+  plan.ended_after = 37;
+  EXPECT_EQ(stopped_sentence(plan),
+            "The clock stopped it after 37 of 100 pairs, a number that was fixed without looking at the results.");
+  EXPECT_EQ(number_of_pairs(plan), "37 pairs, where the clock stopped it (100 were planned)");
+  // As many as fit were asked for.
+  plan.asked.pairs = static_cast<int>(study::most_pairs);
+  EXPECT_EQ(number_of_pairs(plan), "37 pairs, where the clock stopped it");
+  plan.ended_after = 1;
+  EXPECT_EQ(stopped_sentence(plan),
+            "The clock stopped it after 1 pair, a number that was fixed without looking at the results.");
+  plan.ended_after.reset();
+  EXPECT_EQ(number_of_pairs(plan), "as many pairs as time allows");
+}
+
+}  // namespace
+}  // namespace regista::report
