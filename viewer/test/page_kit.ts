@@ -73,6 +73,19 @@ export const secondsOf = (shown: string) => {
   return 60 * Number(minutes) + Number(rest);
 };
 
+// Another fragment of the address, as somebody pastes it.
+export const goTo = async (page: Page, fragment: string) => {
+  await page.evaluate(
+    (wanted) =>
+      new Promise((resolve) => {
+        window.addEventListener("hashchange", resolve, { once: true });
+        location.hash = wanted;
+      }),
+    fragment,
+  );
+  await settle(page);
+};
+
 export async function messages(file: string): Promise<Map<string, Json[]>> {
   const reader = new McapStreamReader({ decompressHandlers: await loadDecompressHandlers() });
   reader.append(new Uint8Array(readFileSync(file)));

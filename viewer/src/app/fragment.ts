@@ -72,10 +72,12 @@ export class Address {
   }
 
   listen(changed: (fragment: string) => void): void {
-    window.addEventListener("hashchange", () => {
-      if (location.hash === this.written) return;
-      this.written = location.hash;
-      changed(location.hash);
+    window.addEventListener("hashchange", ({ newURL }) => {
+      // Of the event: by now the address may have been written over, with a moment that is no longer wanted.
+      const wanted = new URL(newURL).hash;
+      if (wanted === this.written) return;
+      this.written = wanted;
+      changed(wanted);
     });
   }
 }
