@@ -199,30 +199,32 @@ Json definitions() {
   const std::span<const std::string> anchors = anchor_names();
   const Json anchor{{"enum", std::vector<std::string>(anchors.begin(), anchors.end())}};
   const Json robot{{"type", "integer"}, {"minimum", 1}, {"maximum", 22}}, moment = number({0, 1e6});
-  Json robots = list_of(robot);
-  robots["uniqueItems"] = true;
+  Json robots = list_of(robot), shirts = list_of({{"type", "integer"}, {"minimum", 1}, {"maximum", most_shirt_number}});
+  robots["uniqueItems"] = shirts["uniqueItems"] = true;
   std::vector<std::string> keys = usable_keys();
   std::erase(keys, "roles");
-  return {{"place", {{"anyOf", {anchor, point}}}},
-          {"line", {{"type", "string"}, {"pattern", "^[^\n]*$"}}},
-          {"robots", {{"anyOf", {{{"enum", {"all", "any"}}}, robot, robots}}}},
-          {"moments", {{"anyOf", {moment, list_of(moment)}}}},
-          {"segment", list_of(reference("place"), 2, 2)},
-          {"lines", list_of(reference("line"))},
-          {"pairs", list_of(list_of(reference("line"), 2, 2))},
-          {"values", {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}}},
-          {"paths", {{"anyOf", {text(), list_of(text())}}}},
-          {"settings", {{"type", "object"}}},
-          {"measured",
-           {{"anyOf",
-             {reference("line"),
-              {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}, {"minProperties", 1}}}}}},
-          {"tuned", tuned_paths()},
-          {"params", {{"type", "object"}}},
-          {"use",
-           {{"type", "object"},
-            {"properties", {{"roles", {{"type", "string"}, {"pattern", name_pattern}}}}},
-            {"propertyNames", {{"pattern", fmt::format("^(roles|({})(\\..+)?)$", fmt::join(keys, "|"))}}}}}};
+  return {
+      {"place", {{"anyOf", {anchor, point}}}},
+      {"line", {{"type", "string"}, {"pattern", "^[^\n]*$"}}},
+      {"shirt_numbers", {{"anyOf", {{{"type", "integer"}, {"minimum", 0}, {"maximum", most_shirt_number}}, shirts}}}},
+      {"robots", {{"anyOf", {{{"enum", {"all", "any"}}}, robot, robots}}}},
+      {"moments", {{"anyOf", {moment, list_of(moment)}}}},
+      {"segment", list_of(reference("place"), 2, 2)},
+      {"lines", list_of(reference("line"))},
+      {"pairs", list_of(list_of(reference("line"), 2, 2))},
+      {"values", {{"type", "array"}, {"minItems", 1}, {"uniqueItems", true}}},
+      {"paths", {{"anyOf", {text(), list_of(text())}}}},
+      {"settings", {{"type", "object"}}},
+      {"measured",
+       {{"anyOf",
+         {reference("line"),
+          {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}, {"minProperties", 1}}}}}},
+      {"tuned", tuned_paths()},
+      {"params", {{"type", "object"}}},
+      {"use",
+       {{"type", "object"},
+        {"properties", {{"roles", {{"type", "string"}, {"pattern", name_pattern}}}}},
+        {"propertyNames", {{"pattern", fmt::format("^(roles|({})(\\..+)?)$", fmt::join(keys, "|"))}}}}}};
 }
 
 struct Form {
@@ -237,6 +239,7 @@ constexpr std::array forms{
     Form{"pairs", "A list of pairs of texts: `[[a, b], [a, c]]`."},
     Form{"values", "A list of different values, of whatever the path leads to."},
     Form{"paths", "A file or a folder, or a list of these. Relative names begin at the folder of the document."},
+    Form{"shirt_numbers", "A shirt number, or a list of different ones: `[1, 2]`."},
     Form{"robots", "`all`, `any`, a shirt number, or a list of shirt numbers."},
     Form{"moments", "Seconds of the match, a number or a list of numbers."},
     Form{"settings", "A map from paths to values, as `--set` takes them: `{a.sender.params.reserve: 20}`."},

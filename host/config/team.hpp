@@ -97,9 +97,13 @@ struct Behaviour {
   PluginUse use;  // default: the plugin with this name
 };
 
+constexpr int most_shirt_number = 99;
+
 struct Role {
   std::string name;
-  int robot = 0;  // shirt number of the only robot that may take the role; 0: any robot
+  // Shirt numbers. The first of these robots that is active may take the role, and no other robot. Empty: any robot.
+  std::vector<int> robots;
+  int least_in_play = 1;  // the role is open only while at least this many robots of the team are not penalised
   bool required = false;
   bool offset = true;  // true: the role's place may move towards a waypoint
   int group = -1;      // a robot takes at most one role of a group; -1: no group

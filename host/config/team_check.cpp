@@ -87,12 +87,14 @@ std::vector<OffCarpet> off_carpet(const TargetRule& target, const Carpet& carpet
 
 void warn_of_shared_robots(const RoleList& list, const Node& roles, std::vector<Warning>& out) {
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
-    const int robot = list.roles[i].robot;
-    const auto first = std::ranges::find(list.roles, robot, &Role::robot);
-    if (robot == 0 || first == list.roles.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+    const std::vector<int>& robots = list.roles[i].robots;
+    const auto first = std::ranges::find_if(list.roles, [&](const Role& each) {
+      return !robots.empty() && !each.robots.empty() && each.robots.front() == robots.front();
+    });
+    if (robots.empty() || first == list.roles.begin() + static_cast<std::ptrdiff_t>(i)) continue;
     out.push_back({roles.elements()[i]["robot"].where(),
                    fmt::format("roles.{}: {} and {} are both for robot {}, which takes one role at a time", list.name,
-                               first->name, list.roles[i].name, robot)});
+                               first->name, list.roles[i].name, robots.front())});
   }
 }
 
@@ -157,10 +159,12 @@ void check(const Team& team, const Rules& rules, const Node& document, Mistakes&
   for (const RoleList& list : team.role_lists) {
     for (std::size_t i = 0; i < list.roles.size(); ++i) {
       const Role& role = list.roles[i];
-      if (role.robot <= rules.team_size) continue;
+      // The others may be missing, so that a team of one can play the page of a team of seven.
+      if (role.robots.empty() || role.robots.front() <= rules.team_size) continue;
       const std::string path = fmt::format("roles.{}.{}.robot", list.name, i);
-      wrong({path}, "{}: the role {} is for robot {}, a team has {} by the rules {}", path, role.name, role.robot,
-            texts::plural(static_cast<std::uint64_t>(rules.team_size), "robot", "robots"), rules.name);
+      wrong({path}, "{}: the role {} is for robot {}, a team has {} by the rules {}", path, role.name,
+            role.robots.front(), texts::plural(static_cast<std::uint64_t>(rules.team_size), "robot", "robots"),
+            rules.name);
     }
   }
 }
@@ -201,10 +205,14 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
     warn_of_groups(list, roles, rules.team_size, out);
     warn_of_targets(list, roles, carpet, out);
     std::set<int> certain;  // robots that certainly have a role
+    int for_all = 0;        // roles that any robot may take
     for (const Role& role : list.roles) {
-      if (role.robot > 0 && role.robot <= rules.team_size) certain.insert(role.robot);
+      if (role.least_in_play > rules.team_size) continue;
+      if (role.robots.empty())
+        ++for_all;
+      else if (role.robots.front() <= rules.team_size)
+        certain.insert(role.robots.front());
     }
-    const int for_all = static_cast<int>(std::ranges::count(list.roles, 0, &Role::robot));
     const int played = static_cast<int>(certain.size()) + for_all, left = rules.team_size - played;
     if (left <= 0) continue;
     const std::string who = for_all == 0 ? those_left(certain, rules.team_size)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "config/team_document.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "config/read.hpp"
@@ -28,6 +31,33 @@ Field segment(std::string key, std::optional<OnLine>& line, std::string doc) {
   };
   const auto write_line = [&line] { return line ? Node::sequence({written(line->from), written(line->to)}) : Node(); };
   return {std::move(key), std::move(doc), Own{"segment", read_line, write_line}};
+}
+
+// A shirt number or a list of different ones. The number 0 gives an empty list.
+Field shirt_numbers(std::string key, std::vector<int>& numbers, std::string doc) {
+  const auto read_numbers = [&numbers](const Node& node, const std::string& what, Mistakes& mistakes) {
+    const auto number = [](const Node& each, const std::string& path, double least) {
+      return static_cast<int>(integer_within(each, path, {least, most_shirt_number}, "1"));
+    };
+    numbers.clear();
+    if (node.kind() != Node::Kind::sequence) {
+      if (const int only = number(node, what, 0); only != 0) numbers.push_back(only);
+      return;
+    }
+    if (node.elements().empty()) throw Error(node.where(), what + ": an empty list; 0 is any robot");
+    attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
+      const int next = number(element, path, 1);
+      if (std::ranges::find(numbers, next) != numbers.end())
+        throw Error(element.where(), fmt::format("{}: robot {} is given twice", what, next));
+      numbers.push_back(next);
+    });
+  };
+  const auto write_numbers = [&numbers] {
+    const auto text = [](int number) { return Node::scalar(std::to_string(number)); };
+    if (numbers.size() < 2) return text(numbers.empty() ? 0 : numbers.front());
+    return sequence_of(numbers, text);
+  };
+  return {std::move(key), std::move(doc), Own{"shirt_numbers", read_numbers, write_numbers}};
 }
 
 }  // namespace
@@ -148,19 +178,23 @@ Map declare(std::vector<RoleTarget>& targets) {
 }
 
 static Map declare(Role& role) {
-  return {{
-              required(name("name", role.name, "of the role")),
-              integer("robot", role.robot, {0, 99}, "1", "shirt number that alone may take it; 0 is any"),
-              boolean("required", role.required, "must be taken"),
-              boolean("offset", role.offset, "may be moved towards a waypoint"),
-              integer("group", role.group, {-1, 99}, "1", "at most one role of a group per robot; -1 is none"),
-              with_default_from(name("behaviour", role.behaviour,
-                                     "how it acts: a name of `behaviours`, or a plugin; follows from target and "
-                                     "name where not given"),
-                                "target and name"),
-              required(section("target", role.target, "where it is played")),
-          },
-          &role.where};
+  return {
+      {
+          required(name("name", role.name, "of the role")),
+          shirt_numbers("robot", role.robots,
+                        "shirt number that alone may take it, or a list: the first of them that is active; 0 is any"),
+          integer("least_in_play", role.least_in_play, {1, 22}, "robots",
+                  "nobody takes it while fewer robots of the team are in play, not penalised"),
+          boolean("required", role.required, "must be taken"),
+          boolean("offset", role.offset, "may be moved towards a waypoint"),
+          integer("group", role.group, {-1, 99}, "1", "at most one role of a group per robot; -1 is none"),
+          with_default_from(name("behaviour", role.behaviour,
+                                 "how it acts: a name of `behaviours`, or a plugin; follows from target and "
+                                 "name where not given"),
+                            "target and name"),
+          required(section("target", role.target, "where it is played")),
+      },
+      &role.where};
 }
 
 static Map declare(Behaviour& behaviour) {

@@ -99,7 +99,7 @@ std::vector<MetricRow> numbers_of_roles() {
       sum("overlap_seconds", "s", {}, "`h_r >= 2`", [](const Source& from) { return from.role().all.overlap_seconds; }),
       sum("uncovered_seconds", "s", {},
           "`h_r = 0` though the role was wanted: it is in the list in force, its place in that list (from 0) is below "
-          "`R`, and the robot it is bound to, if any, is active. In force is the list in which most active robots hold "
+          "`R`, `R` is at least its `least_in_play`, and one of the robots it is bound to, if any, is active. In force is the list in which most active robots hold "
           "a role; while nobody holds one, none",
           [](const Source& from) { return from.role().all.uncovered_seconds; }),
       sum("switches", "times", {}, "a robot takes the role in Playing that it did not hold at its last decision",
@@ -360,6 +360,9 @@ std::vector<MetricRow> numbers_of_soccer() {
            &PlayMetrics::ball_x_metres),
       mean("territory.opponent_half_share", "share", {"Ball in the other half, share of time in play", 3},
            "in play, `x > 0`", &PlayMetrics::opponent_half_share),
+      sum("goal_empty_seconds", "s", {"No robot at the own goal, s", 1},
+          "in play, no able robot of the team has its centre in its own penalty area",
+          &PlayMetrics::goal_empty_seconds),
       sum("distance_walked_metres", "m", {"Distance walked, m", 1}, "sum of the team's `robot_distance_metres`",
           &PlayMetrics::distance_walked_metres),
       sum("robot_distance_metres", "m", {},

@@ -95,9 +95,11 @@ void RoleMeasures::sample(std::uint32_t active) {
     if (holders_[role] >= 2) ++count.overlap;
     if (holders_[role] > 0) continue;
     if (2 * votes_[role] > robots) ++count.unplayed;
-    const int bound = roles_[role].robot;
-    const bool wanted =
-        list_[role] == in_force && roles_[role].priority < robots && (bound == 0 || (active >> (bound - 1) & 1u) != 0);
+    const Role& row = roles_[role];
+    const bool can_be_taken = row.robots.empty() || std::ranges::any_of(row.robots, [active, this](int number) {
+                                return number <= team_size_ && (active >> (number - 1) & 1u) != 0;
+                              });
+    const bool wanted = list_[role] == in_force && row.priority < robots && row.least_in_play <= robots && can_be_taken;
     if (wanted) ++count.uncovered;
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "match/placement.hpp"
 #include "match/sampling.hpp"
 
 namespace regista::match {
@@ -53,6 +54,7 @@ std::optional<Duels::Duel> Duels::ended(std::optional<Side> won) {
 
 PlayMeasures::PlayMeasures(const config::Rules& rules)
     : roster_{rules.team_size},
+      field_(rules.field),
       goal_line_((rules.field.length + rules.field.line_width + rules.ball.diameter) / 2.0),
       half_goal_(rules.field.goal_width / 2.0),
       deceleration_(rules.ball.rolling_deceleration),
@@ -215,7 +217,18 @@ void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bod
     Team& team = teams_[index(side)];
     team.ball_x += x;
     if (x > 0.0) ++team.in_opponent_half;
+    if (!keeps_goal(side, state.half, bodies, able)) ++team.goal_empty;
   }
+}
+
+// Whether an able robot of this side is in its own penalty area.
+bool PlayMeasures::keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const {
+  for (int number = 1; number <= roster_.team_size; ++number) {
+    const int id = roster_.id(side, number);
+    const BodyState& body = bodies[at(id)];
+    if (contains(able, id) && in_penalty_area(field_, -attack(side, half), {body.x, body.y})) return true;
+  }
+  return false;
 }
 
 PlayMetrics PlayMeasures::result(Side side) const {
@@ -224,6 +237,7 @@ PlayMetrics PlayMeasures::result(Side side) const {
   out.possession_seconds = seconds(own.possession);
   out.possession_share = share(own.possession, own.possession + other.possession);
   out.ball_x_metres = mean(own.ball_x, in_play_);
+  out.goal_empty_seconds = seconds(own.goal_empty);
   out.opponent_half_share = share(own.in_opponent_half, in_play_);
   for (int number = 1; number <= roster_.team_size; ++number) {
     const double walked = walked_[at(roster_.id(side, number))];

@@ -95,6 +95,7 @@ struct PlayMetrics {
   double possession_seconds = 0.0;            // time in play after a touch by this team
   std::optional<double> ball_x_metres;        // mean x of the ball, towards the opponents' goal; nothing: never in play
   std::optional<double> opponent_half_share;  // share of the time in play with the ball in the opponents' half
+  double goal_empty_seconds = 0.0;            // time in play without an able robot in the own penalty area
   double distance_walked_metres = 0.0;        // sum over all robots
   std::vector<double> robot_distance_metres;  // by robot (n - 1)
 };
@@ -128,7 +129,7 @@ class PlayMeasures {
  private:
   struct Team {
     PlayMetrics counts;                        // numbers of shots, passes, ...
-    int possession = 0, in_opponent_half = 0;  // numbers of samples
+    int possession = 0, in_opponent_half = 0, goal_empty = 0;  // numbers of samples
     double ball_x = 0.0;                       // sum over samples in play
   };
   struct Ball {
@@ -154,7 +155,10 @@ class PlayMeasures {
   bool on_target(Side side, const Ball& ball, int half) const;
   PlayMetrics& counts(Side side) { return teams_[index(side)].counts; }
 
+  bool keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const;
+
   Roster roster_;
+  config::FieldSize field_;
   // goal_line_: |x| of the ball's centre at which the whole ball is behind the goal line, m. half_goal_: half the
   // goal's width, m. deceleration_: of the rolling ball, m/s^2.
   double goal_line_, half_goal_, deceleration_;

@@ -28,7 +28,7 @@ std::vector<Role> roles(const mind::TeamPlan& plan) {
   for (std::size_t i = 0; i < plan.roles().size(); ++i) {
     const mind::RoleRow& row = plan.roles()[i];
     const auto& list = plan.team().role_lists[static_cast<std::size_t>(row.list)];
-    out.push_back({row.role->name, list.name, row.priority, row.role->robot,
+    out.push_back({row.role->name, list.name, row.priority, row.role->robots, row.role->least_in_play,
                    (plan.purposes(static_cast<int>(i)) & REGISTA_BEHAVIOUR_PLAYS_BALL) != 0});
   }
   return out;

@@ -58,7 +58,8 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
       const config::Role& role = roles.roles[i];
       roles_.push_back(
           {&role, static_cast<int>(list), static_cast<int>(i), behaviour(role.behaviour, role.behaviour_where)});
-      role_table_.push_back({role.name.c_str(), roles.name.c_str(), static_cast<std::int32_t>(i), role.robot});
+      role_table_.push_back({role.name.c_str(), roles.name.c_str(), static_cast<std::int32_t>(i),
+                             role.robots.empty() ? 0 : role.robots.front()});
     }
   }
   behaviour_without_role_ = behaviour(team_.behaviour_without_role, team_.behaviour_without_role_where);

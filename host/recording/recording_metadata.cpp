@@ -62,7 +62,8 @@ Json roles(const mind::TeamPlan& plan) {
     out.push_back({{"name", names[i]},
                    {"list", table[i].list},
                    {"priority", table[i].priority},
-                   {"robot", table[i].robot},
+                   {"robots", table[i].robots},
+                   {"least_in_play", table[i].least_in_play},
                    {"plays_ball", table[i].plays_ball}});
   }
   return out;

@@ -34,6 +34,17 @@ Vector2d on_circle(const Vector2d& from, const Vector2d& towards, const Vector2d
   return t >= 0.0 ? Vector2d(from + t * along) : fallback;
 }
 
+// Returns regista_task::robot of a role: the robot that alone may take it now, 0 if any robot may. The number of robots
+// in play comes from the referee, so a robot that hears nobody still knows that it is not alone.
+std::int32_t only_robot(const config::Role& role, const DistributedWorldModel& world) {
+  const auto in_play = [](const regista_robot& each) { return (each.flags & REGISTA_ROBOT_PENALISED) == 0; };
+  if (role.least_in_play > 1 && std::ranges::count_if(world.robots, in_play) < role.least_in_play)
+    return REGISTA_NO_ROBOT;
+  if (role.robots.empty()) return 0;
+  const auto chosen = std::ranges::find_first_of(role.robots, world.active);
+  return chosen == role.robots.end() ? role.robots.front() : *chosen;
+}
+
 // sum += weight * term. __restrict says that the arrays do not overlap, so the compiler can add two entries at once.
 void add(double weight, std::span<const double> term, std::span<double> sum) {
   const double* const __restrict from = term.data();
@@ -247,7 +258,8 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
 void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge) {
   if (listed_in_ == knowledge) return;
   listed_in_ = knowledge;
-  const NamedPoints points(plan_->rules().field, plan_->rules().ball.rolling_deceleration, worlds.of(knowledge));
+  const DistributedWorldModel& world = worlds.of(knowledge);
+  const NamedPoints points(plan_->rules().field, plan_->rules().ball.rolling_deceleration, world);
   const int list = context().role_list;
   decision_.tasks.clear();
   const auto& roles = plan_->team().role_lists[static_cast<std::size_t>(list)].roles;
@@ -258,7 +270,7 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
     task.id = plan_->first_role(list) + static_cast<int>(i);
     task.priority = static_cast<std::int32_t>(i);
     task.group = role.group;
-    task.robot = role.robot;
+    task.robot = only_robot(role, world);
     task.flags = (role.required ? std::uint32_t{REGISTA_TASK_REQUIRED} : 0u) |
                  (context().tasks.walk_along_edges ? std::uint32_t{REGISTA_TASK_ALONG_EDGES} : 0u);
     const config::TargetRule& rule = context().target_of(i, role);

@@ -139,7 +139,7 @@ typedef struct regista_role {
   const char* name;                  /* as in the team's YAML, unique in the table */
   const char* list;                  /* the role list it stands in, e.g. "playing" */
   int32_t priority;                  /* place in its list; 0 is the most important */
-  int32_t robot;                     /* shirt number that alone may take it, 0 = any */
+  int32_t robot;                     /* shirt number that alone may take it while that robot is active, 0 = any */
 } regista_role;
 
 /* One kind of kick that the robot can do. The ball leaves `impact` s after the beginning; the robot stands until
@@ -282,12 +282,14 @@ enum {
   REGISTA_TASK_ALONG_EDGES = 2       /* the team wants robots to walk to it along the edges of the frame */
 };
 
+enum { REGISTA_NO_ROBOT = -1 };
+
 /* A role of the current context, with the place where it is to be played. */
 typedef struct regista_task {
   int32_t id;                        /* row of the table of roles: stable through the match */
   int32_t priority;                  /* 0 is the most important */
   int32_t group;                     /* tasks of one group exclude each other for an auction by groups; -1 = none */
-  int32_t robot;                     /* shirt number that alone may take it, 0 = any */
+  int32_t robot;                     /* shirt number that alone may take it, 0 = any, REGISTA_NO_ROBOT = nobody now */
   uint32_t flags;
   uint32_t reserved;
   double before[3];                  /* pose as the role's rule gives it */

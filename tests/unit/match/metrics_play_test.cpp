@@ -372,6 +372,36 @@ TEST_F(Told, NobodyDuelsWithWhoHasFallen) {
   EXPECT_EQ(measures.duels(), 0);
 }
 
+TEST_F(Play, TheGoalIsEmptyWithoutAnAbleRobotInItsPenaltyArea) {
+  GameState state;
+  state.phase = mind::Phase::playing;
+  std::vector<BodyState> bodies(15, BodyState{});  // all at the centre
+  const auto sample = [&](int times, RobotSet able) {
+    for (int i = 0; i < times; ++i) measures.sample(state, bodies, std::nullopt, able);
+  };
+  const RobotSet all = (RobotSet{1} << 14) - 1;
+  // By section 1.1 of the rule book of 2023 the area reaches 1.65 m into the field and 2 m to either side.
+  bodies[2].x = -4.5f + 1.6f;
+  bodies[2].y = 1.95f;
+  bodies[9].x = 4.5f - 1.7f;
+  sample(10, all);
+  EXPECT_DOUBLE_EQ(home().goal_empty_seconds, 0.0);
+  EXPECT_DOUBLE_EQ(away().goal_empty_seconds, 1.0);
+  sample(20, all & ~only(2));  // it has fallen
+  EXPECT_DOUBLE_EQ(home().goal_empty_seconds, 2.0);
+  state.penalised[0] = 0b100;
+  sample(20, all);
+  EXPECT_DOUBLE_EQ(home().goal_empty_seconds, 4.0);
+  state.penalised[0] = 0;
+  state.half = 2;  // its place is now in front of the other goal
+  sample(10, all);
+  EXPECT_DOUBLE_EQ(home().goal_empty_seconds, 5.0);
+  EXPECT_DOUBLE_EQ(away().goal_empty_seconds, 6.0);
+  state.set_play = mind::SetPlay::kick_in;
+  sample(10, all);
+  EXPECT_DOUBLE_EQ(home().goal_empty_seconds, 5.0) << "not in play";
+}
+
 TEST_F(Play, TerritoryPossessionAndDistance) {
   GameState state;
   state.phase = mind::Phase::playing;

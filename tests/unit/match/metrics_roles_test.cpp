@@ -12,11 +12,11 @@
 namespace regista::match {
 namespace {
 
-const std::vector<Role> table{{"goalkeeper", "playing", 0, 1},
-                              {"striker", "playing", 1, 0},
-                              {"supporter", "playing", 2, 0},
-                              {"libero", "playing", 3, 0},
-                              {"searcher", "searching", 0, 0}};
+const std::vector<Role> table{{"goalkeeper", "playing", 0, {1}},
+                              {"striker", "playing", 1},
+                              {"supporter", "playing", 2},
+                              {"libero", "playing", 3},
+                              {"searcher", "searching", 0}};
 constexpr std::uint32_t everybody = 0b111;
 
 struct Coordination : testing::Test {
@@ -60,6 +60,19 @@ TEST_F(Coordination, PenalisedRobotsHoldNothingAndWantNothing) {
   EXPECT_EQ(role(1).all.overlap_seconds, 1.0);
   sample(10, 0);
   EXPECT_EQ(role(0).all.uncovered_seconds, 0.0) << "nobody is there to want anything";
+}
+
+TEST(CoordinationOfFew, OneOfTheRobotsOfARoleIsEnoughToWantIt) {
+  RoleMeasures measures(3, {{"goalkeeper", "playing", 0, {1, 2, 99}, 2}, {"striker", "playing", 1}});
+  measures.decided(3, 1, {}, true);
+  const auto uncovered_after = [&](std::uint32_t active) {
+    const double before = measures.result(0.0).roles[0].all.uncovered_seconds;
+    for (int i = 0; i < 10; ++i) measures.sample(active);
+    return measures.result(0.0).roles[0].all.uncovered_seconds - before;
+  };
+  EXPECT_EQ(uncovered_after(0b111), 1.0);
+  EXPECT_EQ(uncovered_after(0b110), 1.0) << "the second robot";
+  EXPECT_EQ(uncovered_after(0b100), 0.0) << "one robot is too few, and none of those that may take it";
 }
 
 TEST_F(Coordination, CountsRolesTaken) {

@@ -10,7 +10,7 @@
 namespace regista::match {
 namespace {
 
-const std::vector<Role> table{{"goalkeeper", "playing", 0, 1}, {"striker", "playing", 1, 0, true}};
+const std::vector<Role> table{{"goalkeeper", "playing", 0, {1}}, {"striker", "playing", 1, {}, 1, true}};
 constexpr RobotSet everybody = 0b111111;
 
 config::Rules rules_of_three() {

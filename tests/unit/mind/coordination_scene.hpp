@@ -78,9 +78,9 @@ class CoordinationTest : public testing::Test {
     return out;
   }
 
-  void make(config::Team page, int own_number = 2) {
+  void make(config::Team page, int own_number = 2, config::Rules rules = {}) {
     own = own_number;
-    plan = plan_of(std::move(page));
+    plan = plan_of(std::move(page), std::move(rules));
     world = world_model(*plan, own, made);
     const regista_environment environment = plan->environment(own);
     std::vector<ContextParts> parts;

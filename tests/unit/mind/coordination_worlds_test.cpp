@@ -169,6 +169,35 @@ TEST_F(CoordinationTest, ATaskBoundToAnAbsentRobotIsNobodys) {
   for (const double each : decision.utility.values()) EXPECT_NE(each, forbidden);
 }
 
+TEST_F(CoordinationTest, TheNextRobotTakesTheRoleOfAnAbsentOne) {
+  config::Team page = team();
+  page.role_lists[0].roles[0].robots = {1, 3, 2};
+  ScriptedContext<0>::answer = true;
+  make(page);
+  EXPECT_EQ(decide(1.0, {1, 3}).tasks[0].robot, 1);
+  EXPECT_EQ(decide(1.1, {3}).tasks[0].robot, 3);
+  const Decision& decision = decide(1.2, {});
+  EXPECT_EQ(decision.tasks[0].robot, 2);
+  EXPECT_EQ(decision.columns.front().id, 0) << "it is kept";
+}
+
+TEST_F(CoordinationTest, ARoleIsOpenToEnoughRobots) {
+  config::Team page = team();
+  page.role_lists[0].roles[0].robots = {1, 2};
+  page.role_lists[0].roles[0].least_in_play = 2;
+  ScriptedContext<0>::answer = true;
+  make(page);
+  EXPECT_EQ(decide(1.0, {}).tasks[0].robot, 2) << "it hears nobody, but six others are in play";
+  config::Rules of_one;
+  of_one.team_size = 1;
+  page.role_lists[0].roles[0].robots = {1};
+  make(page, 1, of_one);
+  ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) { out[0] = 0; };
+  const Decision& alone = decide(1.0, {});
+  EXPECT_EQ(alone.tasks[0].robot, REGISTA_NO_ROBOT);
+  EXPECT_EQ(alone.own_role, 1) << "the striker";
+}
+
 TEST_F(CoordinationTest, TasksFaceWhereTheRoleSays) {
   config::Team page = team();
   page.role_lists[0].roles[2].target.facing = place(config::Anchor::opponent_goal);

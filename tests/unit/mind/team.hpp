@@ -37,7 +37,7 @@ inline config::Role role(std::string name, config::Place at) {
 inline config::RoleList playing() {
   config::RoleList list{"playing", {}};
   list.roles.push_back(role("goalkeeper", place(-4.0, 0.0)));
-  list.roles.back().robot = 1;
+  list.roles.back().robots = {1};
   list.roles.push_back(role("striker", place(config::Anchor::ball)));
   list.roles.back().required = true;
   for (int i = 0; i < 8; ++i) {

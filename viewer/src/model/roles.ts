@@ -4,8 +4,9 @@
 // Communication", 2023. Every sample in the phase Playing counts 0.1 s; active is who is not penalised.
 // - role overlap: two or more active robots hold the role;
 // - uncovered: no active robot holds it although it is wanted: it stands in the list in force, its priority is below
-//   the number of active robots, and the robot that alone may take it, if there is one, is active. In force is the list
-//   in which most active robots hold a role (of equals, the first of the table); none while nobody holds any.
+//   the number of active robots, which are enough for it, and one of the robots that alone may take it, if there are
+//   any, is active. In force is the list in which most active robots hold a role (of equals, the first of the table);
+//   none while nobody holds any.
 import { type Role, type Side } from "../recording/about";
 import { type Game, playing, sampleSeconds } from "./game";
 
@@ -117,7 +118,7 @@ export function roleCourse(game: Game, side: Side, roles: readonly Role[]): Role
     }
     const activeCount = bits(active);
     for (let role = 0; role < roles.length; ++role) {
-      const { priority, robot } = roles[role]!;
+      const { priority, robots, leastInPlay } = roles[role]!;
       const mask = holders[role]!;
       const overlaps = bits(mask) >= 2;
       const uncovered =
@@ -125,7 +126,8 @@ export function roleCourse(game: Game, side: Side, roles: readonly Role[]): Role
         mask === 0 &&
         listOf[role] === inForce &&
         priority < activeCount &&
-        (robot <= 0 || ((active >>> (robot - 1)) & 1) === 1);
+        leastInPlay <= activeCount &&
+        (robots.length === 0 || robots.some((robot) => robot <= size && ((active >>> (robot - 1)) & 1) === 1));
       if (overlaps) ++overlapSamples[role]!;
       if (uncovered) ++uncoveredSamples[role]!;
       note(0, role, overlaps, time, mask);

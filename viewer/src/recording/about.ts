@@ -26,7 +26,8 @@ export interface Role {
   name: string;
   list: string;
   priority: number;
-  robot: number; // that alone may take it; 0 = any
+  robots: number[]; // the only ones that may take it; empty: any
+  leastInPlay: number; // it is open while at least so many robots are active
   playsBall: boolean | null; // null: not recorded
 }
 
@@ -108,13 +109,22 @@ function fieldOf(value: unknown): FieldSize {
   };
 }
 
+// Recordings of earlier versions name one robot, or 0 for any.
+function robotsOf(role: Record<string, unknown>, where: string): number[] {
+  if (role.robots !== undefined)
+    return checked.list(role.robots, `${where}.robots`, checked.integer);
+  const robot = checked.integer(role.robot, `${where}.robot`);
+  return robot > 0 ? [robot] : [];
+}
+
 function roleOf(value: unknown, where: string): Role {
   const role = checked.object(value, where);
   return {
     name: checked.text(role.name, `${where}.name`),
     list: checked.text(role.list, `${where}.list`),
     priority: checked.integer(role.priority, `${where}.priority`),
-    robot: checked.integer(role.robot, `${where}.robot`),
+    robots: robotsOf(role, where),
+    leastInPlay: checked.integer(role.least_in_play ?? 1, `${where}.least_in_play`),
     playsBall: (role.plays_ball ?? null) === null ? null : checked.boolean(role.plays_ball, `${where}.plays_ball`),
   };
 }
