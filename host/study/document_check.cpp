@@ -35,6 +35,7 @@ namespace {
 struct SceneFindings {
   std::array<char, 4096> idle{}, without_waypoints{};  // for each utility term: 1 (true) or 0
   std::array<mind::ContextFinding, 512> contexts{};
+  mind::SetPlayContexts set_plays{};
   std::array<mind::UnsendableSegment, 512> unsendable{};
   std::size_t unsendable_count = 0;
   int scenes = 0, without = 0;
@@ -83,11 +84,13 @@ std::vector<config::Warning> check_contexts(const mind::TeamPlan& plan, SceneFin
     std::ranges::copy(found.contexts, findings.contexts.begin());
     findings.scenes = found.scenes;
     findings.without = found.without;
+    findings.set_plays = found.set_plays;
   });
   if (!failed.empty()) return failed;
   const auto begin = findings.contexts.begin();
   return mind::idle_context_warnings(
-      plan, {findings.scenes, findings.without, {begin, begin + static_cast<std::ptrdiff_t>(count)}});
+      plan,
+      {findings.scenes, findings.without, {begin, begin + static_cast<std::ptrdiff_t>(count)}, findings.set_plays});
 }
 
 std::vector<config::Warning> check_terms(const mind::TeamPlan& plan, SceneFindings& findings) {

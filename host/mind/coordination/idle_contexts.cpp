@@ -2,8 +2,10 @@
 #include "mind/coordination/unused_parts.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -207,6 +209,57 @@ class Conditions {
   std::vector<plugin::Context> conditions_;
 };
 
+constexpr std::array phases{REGISTA_PHASE_READY, REGISTA_PHASE_SET, REGISTA_PHASE_PLAYING};
+
+// Whether the referee calls this phase for a set play. Only a kick-off and a penalty kick begin in Ready.
+bool occurs(int set_play, int phase) {
+  return phase == REGISTA_PHASE_PLAYING || set_play == REGISTA_SET_PLAY_KICK_OFF ||
+         set_play == REGISTA_SET_PLAY_PENALTY_KICK;
+}
+
+// Compares the context in force in set plays with the context in force in open play, in scenes that are equal
+// otherwise.
+SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, int own, Dice& dice) {
+  constexpr int scenes = 16;
+  const int team_size = plan.rules().team_size;
+  SetPlayContexts out{};
+  std::vector<char> holds;
+  const std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
+  for (int scene = 0; scene < scenes; ++scene) {
+    DistributedWorldModel world(team_size);
+    make_up(world, plan, 0, scene, dice.real(0.0, plan.rules().durations.half), own, 0, dice);
+    world.close();
+    regista_game& game = world.game;
+    const auto in_force = [&](int set_play, int phase, bool own_kick) {
+      game.set_play = set_play;
+      game.phase = phase;
+      game.own_kick = own_kick ? 1 : 0;
+      game.phase_time = 1.0;
+      regista_frame frame{};
+      frame.size = sizeof frame;
+      frame.own_number = own;
+      frame.time = 100.0 + scene;
+      frame.mine = frame.common = &world.raw;
+      frame.knowledge = REGISTA_MINE;
+      frame.previous = abi_span(previous);
+      frame.context = -1;
+      robot.reset();
+      robot.ask(frame, holds);
+      return std::ranges::find(holds, 1) - holds.begin();
+    };
+    for (const bool own_kick : {false, true}) {
+      const auto open_play = in_force(REGISTA_SET_PLAY_NONE, REGISTA_PHASE_PLAYING, own_kick);
+      for (int kind = 0; kind < REGISTA_SET_PLAY_PENALTY_KICK; ++kind) {
+        for (std::size_t p = 0; p < phases.size(); ++p) {
+          if (!occurs(kind + 1, phases[p]) || out[static_cast<std::size_t>(kind)][p]) continue;
+          out[static_cast<std::size_t>(kind)][p] = in_force(kind + 1, phases[p], own_kick) != open_play;
+        }
+      }
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing) {
@@ -256,6 +309,7 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing)
       if (in_force >= 0) ++out.contexts[static_cast<std::size_t>(in_force)].in_force;
     }
   }
+  out.set_plays = contexts_of_set_plays(plan, *robots.front(), 1, dice);
   for (std::size_t j = 0; j < count; ++j) {
     const auto end = covers[j].begin() + static_cast<std::ptrdiff_t>(j);
     const auto cover = std::find(covers[j].begin(), end, 1);
@@ -296,6 +350,22 @@ std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const C
     out.push_back({contexts.back().where, fmt::format("contexts: none holds in {} of {} made-up scenes, and then no "
                                                       "robot has a role: plugin: always, below {}, holds at all times",
                                                       found.without, found.scenes, contexts.back().name)});
+  }
+  constexpr std::array<const char*, REGISTA_SET_PLAY_PENALTY_KICK> set_plays{
+      "kick-off", "kick-in", "goal kick", "corner kick", "pushing free kick", "penalty kick"};
+  constexpr std::array<const char*, phases.size()> phase_names{"Ready", "Set", "Playing"};
+  for (std::size_t kind = 0; kind < set_plays.size(); ++kind) {
+    std::vector<std::string> missing;
+    for (std::size_t p = 0; p < phases.size(); ++p) {
+      const bool any = std::ranges::any_of(found.set_plays, [p](const auto& its) { return its[p]; });
+      if (any && occurs(static_cast<int>(kind) + 1, phases[p]) && !found.set_plays[kind][p])
+        missing.emplace_back(phase_names[p]);
+    }
+    if (missing.empty()) continue;
+    out.push_back({contexts.front().where,
+                   fmt::format("contexts: none is for a {} in {}, though one is for another set play: robots act as in "
+                               "open play",
+                               set_plays[kind], fmt::join(missing, " and "))});
   }
   return out;
 }

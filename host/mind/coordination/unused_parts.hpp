@@ -8,6 +8,7 @@
 // searches throw plugin::Failure if a plugin fails. Equal plans give equal findings.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -62,15 +63,21 @@ struct ContextFinding {
   int covered_by = -1;  // index of the first earlier context that held in all scenes in which this one held; -1: none
 };
 
+// [set play, from the kick-off on][Ready, Set, Playing]: in some scene, the context in force was not the one of open
+// play.
+using SetPlayContexts = std::array<std::array<bool, 3>, REGISTA_SET_PLAY_PENALTY_KICK>;
+
 struct ContextFindings {
   int scenes = 0;
   int without = 0;                       // number of scenes in which no context's condition held
   std::vector<ContextFinding> contexts;  // in the order of TeamPlan::contexts()
+  SetPlayContexts set_plays{};
 };
 
 ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing = {});
 
-// Returns a warning for each idle context, in the order of the contexts, then a warning about scenes without a context.
+// Returns a warning for each idle context, in the order of the contexts, then a warning about scenes without a context,
+// then one for each set play without a context of its own in a phase in which another set play has one.
 std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const ContextFindings& found);
 
 // --- Terms. A term that gives all robots the same number for a task adds this number to a whole column of the utility

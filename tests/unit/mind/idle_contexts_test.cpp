@@ -86,6 +86,35 @@ TEST(IdleContexts, WhatHeedsMessagesMayHoldAtAnyTime) {
   EXPECT_EQ(warned({{"whole", 0, 1e6}, {"told", 0, 0, "rumour"}}), None{});
 }
 
+// The contexts of a set play: which of them, and the last phase, as numbers of the ABI.
+std::vector<std::string> warned_of_set_plays(const std::vector<std::array<int, 2>>& contexts) {
+  config::Team page = team_of(std::vector<Condition>(contexts.size() + 1, {"whole", 0, 1e6}));
+  for (std::size_t i = 0; i < contexts.size(); ++i) {
+    page.contexts[i].use = use("in_set_play", {{"set_play", fmt::format("{}", contexts[i][0])},
+                                               {"last_phase", fmt::format("{}", contexts[i][1])}});
+  }
+  const auto plan = plan_of(page);
+  std::vector<std::string> out;
+  for (const config::Warning& each : idle_context_warnings(*plan, idle_contexts(*plan))) out.push_back(each.message);
+  return out;
+}
+
+std::string none_is_for(const std::string& what) {
+  return "contexts: none is for a " + what + ", though one is for another set play: robots act as in open play";
+}
+
+TEST(SetPlays, OneWithoutAContextIsNamedWithItsPhases) {
+  constexpr int any = 0, set = REGISTA_PHASE_SET, playing = REGISTA_PHASE_PLAYING;
+  EXPECT_EQ(warned_of_set_plays({{any, playing}}), None{});
+  EXPECT_EQ(warned_of_set_plays({{REGISTA_SET_PLAY_KICK_OFF, set}}), One{none_is_for("penalty kick in Ready and Set")});
+  EXPECT_EQ(warned_of_set_plays({{REGISTA_SET_PLAY_PENALTY_KICK, playing}}),
+            (std::vector{none_is_for("kick-off in Ready and Set and Playing"), none_is_for("kick-in in Playing"),
+                         none_is_for("goal kick in Playing"), none_is_for("corner kick in Playing"),
+                         none_is_for("pushing free kick in Playing")}));
+}
+
+TEST(SetPlays, ATeamWithoutContextsOfSetPlaysIsNotWarnedOf) { EXPECT_EQ(warned_of_set_plays({}), None{}); }
+
 TEST(IdleContexts, TheSamePlanGivesTheSameAnswer) {
   const auto plan = plan_of(team_of({{"early", 0, 300}, {"late", 200, 700}}));
   const ContextFindings first = idle_contexts(*plan), again = idle_contexts(*plan);

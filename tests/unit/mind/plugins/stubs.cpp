@@ -3,7 +3,8 @@
 #include "stubs.hpp"
 
 REGISTA_PLUGINS(regista::Plugin<stubs::Still, regista::predictor>, regista::Plugin<stubs::Lucky, regista::predictor>,
-                regista::Plugin<stubs::Window, regista::context>, regista::Plugin<stubs::Triangle, regista::positioner>,
+                regista::Plugin<stubs::Window, regista::context>, regista::Plugin<stubs::InSetPlay, regista::context>,
+                regista::Plugin<stubs::Triangle, regista::positioner>,
                 regista::Plugin<stubs::Nearness, regista::utility>, regista::Plugin<stubs::InOrder, regista::assigner>,
                 regista::Plugin<stubs::Steady, regista::sender>, regista::Plugin<stubs::Gossip, regista::utility>,
                 regista::Plugin<stubs::Even, regista::sender>, regista::Plugin<stubs::Flat, regista::utility>,

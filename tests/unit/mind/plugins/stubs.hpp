@@ -142,6 +142,20 @@ struct Window {
   bool holds(const regista::Frame& frame) { return frame.time() >= from && frame.time() < to; }
 };
 
+// Holds in a set play of this number, in phases up to this one.
+struct InSetPlay {
+  static constexpr auto id = "in_set_play", version = "1.0.0", summary = "Holds in set plays";
+  std::int64_t set_play = 0, last_phase = REGISTA_PHASE_PLAYING;
+  static constexpr std::tuple parameters{
+      regista::integer("set_play", &InSetPlay::set_play, {0, 6}, "1", "0: any"),
+      regista::integer("last_phase", &InSetPlay::last_phase, {1, 3}, "1", "As in the ABI")};
+  bool holds(const regista::Frame& frame) {
+    const regista::Game& game = frame.world().game();
+    return game.set_play != REGISTA_SET_PLAY_NONE && (set_play == 0 || game.set_play == set_play) &&
+           game.phase <= last_phase;
+  }
+};
+
 // A triangle of waypoints, joined.
 struct Triangle {
   static constexpr auto id = "triangle", version = "1.0.0", summary = "Three points";
