@@ -211,10 +211,11 @@ class Conditions {
 
 constexpr std::array phases{REGISTA_PHASE_READY, REGISTA_PHASE_SET, REGISTA_PHASE_PLAYING};
 
-// Whether the referee calls this phase for a set play. Only a kick-off and a penalty kick begin in Ready.
+// Whether a team may want a context for a set play in this phase. Only a kick-off and a penalty kick have a Ready and a
+// Set. From the whistle on, a kick-off is open play for most teams, so a missing context is no mistake.
 bool occurs(int set_play, int phase) {
-  return phase == REGISTA_PHASE_PLAYING || set_play == REGISTA_SET_PLAY_KICK_OFF ||
-         set_play == REGISTA_SET_PLAY_PENALTY_KICK;
+  const bool playing = phase == REGISTA_PHASE_PLAYING;
+  return set_play == REGISTA_SET_PLAY_KICK_OFF ? !playing : playing || set_play == REGISTA_SET_PLAY_PENALTY_KICK;
 }
 
 // Compares the context in force in set plays with the context in force in open play, in scenes that are equal

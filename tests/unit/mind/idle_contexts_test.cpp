@@ -108,7 +108,7 @@ TEST(SetPlays, OneWithoutAContextIsNamedWithItsPhases) {
   EXPECT_EQ(warned_of_set_plays({{any, playing}}), None{});
   EXPECT_EQ(warned_of_set_plays({{REGISTA_SET_PLAY_KICK_OFF, set}}), One{none_is_for("penalty kick in Ready and Set")});
   EXPECT_EQ(warned_of_set_plays({{REGISTA_SET_PLAY_PENALTY_KICK, playing}}),
-            (std::vector{none_is_for("kick-off in Ready and Set and Playing"), none_is_for("kick-in in Playing"),
+            (std::vector{none_is_for("kick-off in Ready and Set"), none_is_for("kick-in in Playing"),
                          none_is_for("goal kick in Playing"), none_is_for("corner kick in Playing"),
                          none_is_for("pushing free kick in Playing")}));
 }
