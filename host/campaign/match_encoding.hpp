@@ -47,7 +47,7 @@ std::vector<double> numbers_of(std::string_view bytes, std::size_t count);
 // --- The match
 
 struct PlayedMatch {
-  std::array<std::string, 2> teams;  // names, by side
+  std::array<std::string, 2> teams, titles;  // by side: names, and names for people
   std::uint64_t seed = 1;
   std::string opening;  // name; empty: from kick-off
   match::RoleNames role_names;

@@ -197,6 +197,7 @@ PlayedMatch match_to_play(const MatchSetup& prepared) {
   for (const match::Side side : match::both_sides) {
     const mind::TeamPlan& plan = *prepared.plans[match::index(side)];
     out.teams[match::index(side)] = plan.team().name;
+    out.titles[match::index(side)] = plan.team().title;
     out.role_names[match::index(side)] = match::role_names(match::roles(plan));
   }
   return out;

@@ -223,6 +223,12 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
   return context;
 }
 
+// Whether the title is of the team that this document extends. A page that gives another name is another team.
+bool is_of_base(const Node& document) {
+  const Location &title = document["title"].where(), &name = document["team"].where();
+  return title.file != name.file && !title.laid;
+}
+
 }  // namespace
 
 Node targets_of(const Node& use) {
@@ -271,6 +277,7 @@ Team read_document<Team>(const Node& document, Mistakes& mistakes) {
   }
   std::ranges::stable_sort(team.contexts, std::ranges::greater(), &Context::priority);
   team.name = page.name;
+  team.title = page.title.empty() || is_of_base(document) ? page.name : page.title;
   team.file = document.where().file;
   team.self = std::move(page.predictors.self);
   team.ball = std::move(page.predictors.ball);

@@ -169,6 +169,7 @@ struct Context {
 
 struct Team {
   std::string name;
+  std::string title;                           // name for people, any text of one line; without a title the name
   std::string file;                            // path of the document
   PluginUse self, ball, opponents, teammates;  // predictors
   double forget_teammate_after = 25.0;         // s of silence until a robot forgets a teammate

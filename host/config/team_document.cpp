@@ -218,7 +218,8 @@ Map declare(TeamDocument& page) {
   return {
       joined(joined(
                  {
-                     required(name("team", page.name, "name of this team")),
+                     required(name("team", page.name, "name of this team, one word")),
+                     line("title", page.title, "name of this team for people; without it, `team`"),
                      required(section("predictors", page.predictors, "how each part of the world is carried forward")),
                      required(list("contexts", page.contexts, 1, 64, "situations; the first that holds is in force")),
                  },

@@ -41,7 +41,7 @@ struct RoleTarget {
 };
 
 struct TeamDocument {
-  std::string name;
+  std::string name, title;
   Predictors predictors;
   std::vector<ContextPage> contexts;
   Coordination coordination;

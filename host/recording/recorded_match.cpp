@@ -127,7 +127,7 @@ RecordedCovariance covariance(const nlohmann::json& json) { return {json.at(0), 
 
 RecordedTeam team(const nlohmann::json& json) {
   RecordedTeam out;
-  json.at("team").get_to(out.name);
+  out.name = json.contains("title") ? json.at("title") : json.at("team");  // earlier versions knew no title
   json.at("robot_radius").get_to(out.robot_radius);
   for (const nlohmann::json& role : json.at("roles")) out.roles.push_back(role.at("name"));
   for (const nlohmann::json& context : json.at("contexts")) {

@@ -57,7 +57,7 @@ struct RecordedContext {
 };
 
 struct RecordedTeam {
-  std::string name;
+  std::string name;  // for people: the team's title
   double robot_radius = 0.0;
   std::vector<std::string> roles;  // index: row of the table of roles
   std::vector<RecordedContext> contexts;

@@ -168,6 +168,7 @@ mcap::Pairs match_metadata(const RecordedSetup& setup) {
   for (std::size_t side = 0; side < 2; ++side) {
     const mind::TeamPlan& plan = *setup.plans[side];
     out[side == 0 ? "home" : "away"] = dump({{"team", plan.team().name},
+                                             {"title", plan.team().title},
                                              {"file", plan.team().file},
                                              {"robot_radius", plan.robot().body.radius},
                                              {"walk_speed", plan.robot().walk.forward},

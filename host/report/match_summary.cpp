@@ -102,7 +102,8 @@ std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed
   const match::Result& result = match.result;
   const Section before = played_section(played);
   std::string out = before.title + '\n' + section_text(before) + '\n';
-  out += fmt::format("{} {} : {} {}\n\n", match.teams[0], result.score[0], result.score[1], match.teams[1]);
+  out += fmt::format("{} {} : {} {}\n\n", match.titles[0], result.score[0], result.score[1],
+                     match.titles[1]);
   out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
   out += fmt::format("seed        {}\n", match.seed);
   if (!match.opening.empty()) out += fmt::format("opening     {}\n", match.opening);
@@ -112,7 +113,7 @@ std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed
   for (const match::Side side : match::both_sides) {
     const std::size_t i = match::index(side);
     const match::TeamMetrics& team = result.metrics.teams[i];
-    out += fmt::format("\n{} ({})\n", match.teams[i], match::name(side));
+    out += fmt::format("\n{} ({})\n", match.titles[i], match::name(side));
     out += table(team, match.role_names[i]);
     out += packets(team, result.packets[i], match.budget, match.packets_share);
     out += segments(team.segments);

@@ -86,7 +86,7 @@ std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const
   Figure out{
       .name = "elo",
       .title = "Elo over pairs",
-      .description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.label(0), view.label(1),
+      .description = fmt::format("Strength of {} above {}, as it was after each pair{}", view.shown(0), view.shown(1),
                                  any ? fmt::format(". From the {}th uneven pair on with its 95 % interval, which holds "
                                                    "for a number of pairs fixed beforehand.",
                                                    statistics::fewest_uneven)
@@ -109,7 +109,7 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   Figure out{.name = "value",
              .title = goals ? "Goal difference over pairs"
                             : fmt::format("Difference of {} over pairs", texts::visible(test->value)),
-             .description = fmt::format("{} less {}, mean of a match{}.", view.label(0), view.label(1),
+             .description = fmt::format("{} less {}, mean of a match{}.", view.shown(0), view.shown(1),
                                         any ? fmt::format(", with the anytime-valid interval ({:.4g} %)",
                                                           test == nullptr ? 95.0 : 100.0 * (1.0 - test->alpha))
                                             : std::string())};
@@ -144,7 +144,7 @@ std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<con
   const auto hypotheses = std::get<study::ScoreTest>(view.plan.objective()).design.hypotheses;
   out.description =
       fmt::format("The test stops at the upper line, for H1 ({} is {} stronger), or at the lower one, for H0 ({}).",
-                  view.label(0), hypotheses.elo1, hypotheses.elo0);
+                  view.shown(0), hypotheses.elo1, hypotheses.elo0);
   out.chart = {.y = {.title = "LLR", .range = range.with_room()}, .panels = {{pairs_axis(last), series}}};
   return out;
 }
@@ -169,7 +169,7 @@ std::optional<Figure> ranking_figure(const TournamentView& view) {
     range.take(low);
     range.take(high);
     teams.points.push_back({elo.value, static_cast<double>(out.chart.rows.size()), low, high});
-    out.chart.rows.push_back(view.label(each.team));
+    out.chart.rows.push_back(view.shown(each.team));
   }
   out.chart.height = 24.0 * static_cast<double>(ranks.size());
   out.chart.panels = {{{.title = "Elo", .range = range.with_room()}, {teams}}};
@@ -190,7 +190,7 @@ std::optional<Figure> ranking_over_pairs(const TournamentView& view, std::span<c
   std::vector<Series> series;
   for (const std::size_t team : teams) {
     out.csv += ',' + figure_field(view.label(team));
-    series.push_back({.name = view.label(team),
+    series.push_back({.name = view.shown(team),
                       .colour = series.size(),
                       .join = Join::line,
                       .shape = shape_of(series.size()),
@@ -228,10 +228,10 @@ std::optional<Figure> goal_differences(const TournamentView& view, const Tournam
   const GoalDifferences& counts = record.goals_of(0);
   Figure out{.name = "goal_differences",
              .title = "Goal differences of matches",
-             .description = fmt::format("Matches by goals of {} less goals of {}.", view.label(0), view.label(1))};
+             .description = fmt::format("Matches by goals of {} less goals of {}.", view.shown(0), view.shown(1))};
   out.csv = "goal_difference,played,forfeited\n";
-  Series won{.name = name_with(view.label(0), " wins"), .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
-      lost{.name = name_with(view.label(1), " wins"), .colour = 1, .bar = 0.8},
+  Series won{.name = name_with(view.shown(0), " wins"), .bar = 0.8}, drawn{.name = "draws", .colour = grey, .bar = 0.8},
+      lost{.name = name_with(view.shown(1), " wins"), .colour = 1, .bar = 0.8},
       forfeited{.name = "forfeits", .colour = black, .bar = 0.8};
   int widest = 2;
   for (int difference = -GoalDifferences::largest; difference <= GoalDifferences::largest; ++difference) {
@@ -249,7 +249,7 @@ std::optional<Figure> goal_differences(const TournamentView& view, const Tournam
   }
   if (widest == GoalDifferences::largest) out.description += fmt::format(" {} or more count as {}.", widest, widest);
   const Axis goals{
-      .title = fmt::format("goals of {} less goals of {}", in_title(view.label(0)), in_title(view.label(1))),
+      .title = fmt::format("goals of {} less goals of {}", in_title(view.shown(0)), in_title(view.shown(1))),
       .range = Range{-widest - 0.6, widest + 0.6},
       .whole = true};
   out.chart = {.y = {.title = "matches", .whole = true}, .panels = {{goals, series}}};
@@ -268,7 +268,7 @@ std::optional<Figure> roles(const TournamentView& view, const TournamentHistory&
              .title = "Overlap, uncovered time and switches by role",
              .description = fmt::format(
                  "Means of a match. Circles: {}. Triangles: {}. Less overlap and uncovered time is better coordinated.",
-                 view.label(0), view.label(1))};
+                 view.shown(0), view.shown(1))};
   out.csv = "role";
   constexpr std::array<const char*, role_measures.size()> titles{"overlap, s", "uncovered, s", "switches"};
   std::vector<Panel>& panels = out.chart.panels;
@@ -277,8 +277,8 @@ std::optional<Figure> roles(const TournamentView& view, const TournamentHistory&
       out.csv += ',' + figure_field(fmt::format("{} {}", view.label(team), role_measures[i]));
     panels.push_back({{.title = titles[i], .from_zero = true},
                       {{.colour = grey, .join = Join::line},
-                       {.name = view.label(0), .shape = Shape::circle},
-                       {.name = view.label(1), .colour = 1, .shape = Shape::triangle}}});
+                       {.name = view.shown(0), .shape = Shape::circle},
+                       {.name = view.shown(1), .colour = 1, .shape = Shape::triangle}}});
   }
   out.csv += '\n';
   for (const std::string& role : names) {
@@ -310,9 +310,9 @@ std::optional<Figure> packets(const TournamentView& view, const TournamentHistor
   Figure out{
       .name = "packets",
       .title = "Packets by the event that caused them",
-      .description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", view.label(0), view.label(1))};
+      .description = fmt::format("Means of a match. Upper bars: {}. Lower bars: {}.", view.shown(0), view.shown(1))};
   out.csv = fmt::format("reason,{},{}\n", figure_field(view.label(0)), figure_field(view.label(1)));
-  std::vector<Series> teams{{.name = view.label(0), .bar = 0.34}, {.name = view.label(1), .colour = 1, .bar = 0.34}};
+  std::vector<Series> teams{{.name = view.shown(0), .bar = 0.34}, {.name = view.shown(1), .colour = 1, .bar = 0.34}};
   for (const std::string& reason : reasons) {
     const auto row = static_cast<double>(out.chart.rows.size());
     out.csv += figure_field(reason);

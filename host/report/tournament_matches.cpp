@@ -46,7 +46,7 @@ struct Measure {
 // Returns a table with the numbers of two teams beside each other.
 Table compared(const TournamentView& view, const MatchNumbers& numbers, const char* title,
                const std::vector<Measure>& measures) {
-  Table out{{{title, Column::words}, {named(view.label(0))}, {named(view.label(1))}, {"difference"}}};
+  Table out{{{title, Column::words}, {named(view.shown(0))}, {named(view.shown(1))}, {"difference"}}};
   for (const auto& [name, path, digits] : measures) {
     out.row({name, mean_of(numbers.find(0, path), digits), mean_of(numbers.find(1, path), digits),
              difference_of(numbers.difference(path), digits)});
@@ -61,7 +61,7 @@ Table means_of(const TournamentView& view, const MatchNumbers& numbers, std::siz
   Table out{{{title, Column::words}}};
   const bool by_team = rows == Rows::teams;
   const auto name = [&](bool of_team, std::size_t i) {
-    return of_team ? named(view.label(i)) : by_team ? Sentence(measures[i].title) : named(measures[i].title);
+    return of_team ? named(view.shown(i)) : by_team ? Sentence(measures[i].title) : named(measures[i].title);
   };
   const std::size_t columns = by_team ? measures.size() : teams;
   for (std::size_t i = 0; i < columns; ++i) out.headings.push_back({name(!by_team, i)});
@@ -140,7 +140,7 @@ Table goals_of_several(const TournamentView& view, const TournamentHistory& reco
                              counts.played[at], counts.forfeited[at]);
     }
     if (team >= most_teams) continue;
-    std::vector<Cell> cells{named(view.label(team))};
+    std::vector<Cell> cells{named(view.shown(team))};
     for (std::size_t i = 0; i < columns.size(); ++i) {
       Cell& cell = cells.emplace_back(columns[i]);
       cell.series = i < shown ? 2 : i == shown ? 8 : 1;
@@ -157,7 +157,7 @@ void add_share_of_packets(const TournamentView& view, Section& out) {
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
     const study::PacketsSpent packets = view.course.packets(team);
     const std::string clause = packets_clause(packets);
-    if (!clause.empty()) out.line(named(view.label(team)) << ' ' + clause + '.');
+    if (!clause.empty()) out.line(named(view.shown(team)) << ' ' + clause + '.');
     overspent = overspent || (packets.games() > 0 && packets.overspent());
   }
   if (overspent) {
@@ -194,7 +194,7 @@ Section roles_section(const TournamentView& view, const TournamentHistory& recor
     return out;
   }
   out.figures({"roles"});
-  out.note(mark("first") << named(view.label(0)) << "   " << mark("second") << named(view.label(1)));
+  out.note(mark("first") << named(view.shown(0)) << "   " << mark("second") << named(view.shown(1)));
   out.table(roles_of_two(numbers, roles));
   std::vector<Measure> others;
   for (const match::MetricRow& row : metrics) {
@@ -288,7 +288,7 @@ Section recordings_section(const TournamentView& view, const PageRecordings& rec
     const study::Fixture fixture = view.course.calendar().at(each.index);
     const RecordingLink link = link_to(each.index);
     const std::string scene = scene_name(view.plan.openings, fixture.opening);
-    Sentence who = named(view.label(fixture.home)) << " – " << named(view.label(fixture.away));
+    Sentence who = named(view.shown(fixture.home)) << " – " << named(view.shown(fixture.away));
     if (each.forfeited) who << " (forfeit, as far as it was played)";
     table.row({each.index + 1, who, fmt::format("{}:{}", each.score[0], each.score[1]), fixture.seed,
                scene.empty() ? "–" : scene, Sentence(Sentence::Kind::link, link.path), code(link.command)});

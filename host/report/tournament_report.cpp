@@ -47,7 +47,7 @@ class TournamentReport final : public StudyReport {
 
   std::vector<std::string> teams() const override {
     std::vector<std::string> out;
-    for (const study::Entrant& each : plan_.teams) out.push_back(each.label);
+    for (const study::Entrant& each : plan_.teams) out.push_back(each.shown());
     return out;
   }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
@@ -71,7 +71,7 @@ class TournamentReport final : public StudyReport {
     for (const study::Pairing& pairing : course_.calendar().pairings()) {
       if (!study::equal_teams(plan_, pairing)) continue;
       out.push_back(fmt::format("A/A: {} and {} are equal, so every pair is a draw by construction",
-                                plan_.teams[pairing.first].label, plan_.teams[pairing.second].label));
+                                plan_.teams[pairing.first].shown(), plan_.teams[pairing.second].shown()));
     }
     add_notes_on_pairs(plan_, out);
     return out;
@@ -82,18 +82,18 @@ class TournamentReport final : public StudyReport {
     const study::Fixture fixture = course_.calendar().at(index);
     const std::string scene = scene_name(plan_.openings, fixture.opening);
     std::string line = fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
-                                   plan_.teams[fixture.home].label, decided.score[0], decided.score[1],
-                                   plan_.teams[fixture.away].label);
+                                   plan_.teams[fixture.home].shown(), decided.score[0], decided.score[1],
+                                   plan_.teams[fixture.away].shown());
     if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
     if (decided.failure) {
       const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
-      line += ", " + forfeit_text(plan_.teams[loser].label, *decided.failure);
+      line += ", " + forfeit_text(plan_.teams[loser].shown(), *decided.failure);
     }
     return line;
   }
   MatchPlayers players(const study::Round& /*round*/, std::uint64_t index) const override {
     const study::Fixture fixture = course_.calendar().at(index);
-    return {{plan_.teams[fixture.home].label, plan_.teams[fixture.away].label},
+    return {{plan_.teams[fixture.home].shown(), plan_.teams[fixture.away].shown()},
             scene_name(plan_.openings, fixture.opening),
             fixture.seed};
   }
@@ -334,7 +334,7 @@ WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
 std::string title(const TournamentView& view) {
   const std::string who =
       view.plan.teams.size() == 2
-          ? fmt::format("{} vs {}", view.label(0), view.label(1))
+          ? fmt::format("{} vs {}", view.shown(0), view.shown(1))
           : fmt::format("{} teams, {}", view.plan.teams.size(),
                         view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round robin");
   const std::size_t pairings = view.course.calendar().pairings().size();
@@ -351,8 +351,8 @@ std::string title(const TournamentView& view) {
   return out + ')';
 }
 
-ForfeitWords forfeit_words(const TournamentView& view) {
-  return {[&view](std::size_t team) { return view.label(team); }, view.again, {}};
+ForfeitWords forfeit_words(const TournamentView& view, TeamText name) {
+  return {[&view, name](std::size_t team) { return (view.*name)(team); }, view.again, {}};
 }
 
 Outline tournament_outline(const TournamentView& view, const TournamentPage* page) {
@@ -379,7 +379,7 @@ Outline tournament_outline(const TournamentView& view, const TournamentPage* pag
   if (page != nullptr) out.add(plugins_section(view, page->record));
   out.add(variance_section(view));
   out.add(unplayed_section(view.course.unplayed_pairs(), view.course.remarks()));
-  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view)));
+  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view, &TournamentView::shown)));
   if (page == nullptr) return out;
   out.fingerprint = page->record.fingerprint();
   out.add(recordings_section(view, page->recordings, page->link_to));
@@ -393,6 +393,7 @@ Json tournament_data(const TournamentView& view) {
   Json teams = Json::array();
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
     teams.push_back({{"name", view.label(team)},
+                     {"title", view.shown(team)},
                      {"file", view.plan.asked.teams[team].team},
                      {"failures", course.forfeits().of_team()[team]},
                      {"packets_of_short_games", packets_json(course.packets(team))}});
@@ -438,7 +439,7 @@ Json tournament_data(const TournamentView& view) {
     }
     out["ranking"] = ranks;
   }
-  out["forfeits"] = forfeits_json(course.forfeits(), forfeit_words(view), "team");
+  out["forfeits"] = forfeits_json(course.forfeits(), forfeit_words(view, &TournamentView::label), "team");
   Json set_aside = Json::array();
   for (const study::SetAside& each : course.set_aside()) {
     set_aside.push_back({{"team", view.label(each.team)},

@@ -28,7 +28,8 @@ struct TournamentView {
   // Returns the command that plays one match of the schedule.
   std::function<std::string(std::uint64_t match)> again;
 
-  const std::string& label(std::size_t team) const { return plan.teams[team].label; }
+  const std::string& shown(std::size_t team) const { return plan.teams[team].shown(); }  // for people
+  const std::string& label(std::size_t team) const { return plan.teams[team].label; }    // for JSON and CSV
 };
 
 WhatWasPlayed what_was_played(const study::TournamentPlan& plan);
@@ -99,7 +100,8 @@ Section plugins_section(const TournamentView& view, const TournamentHistory& rec
 Section recordings_section(const TournamentView& view, const PageRecordings& recordings,
                            const std::function<RecordingLink(std::uint64_t match)>& link_to);
 
-ForfeitWords forfeit_words(const TournamentView& view);
+using TeamText = const std::string& (TournamentView::*)(std::size_t team) const;
+ForfeitWords forfeit_words(const TournamentView& view, TeamText name);
 
 // Returns the metrics of a table without the option --metrics: for short games packets and their share of the budget.
 match::MetricPaths csv_metrics(const study::TournamentPlan& plan);

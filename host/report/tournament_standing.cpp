@@ -26,7 +26,7 @@ std::string or_none(const std::optional<double>& number) { return number ? fixed
 double percent(double part, double whole) { return whole == 0.0 ? 0.0 : 100.0 * part / whole; }
 
 Sentence who_of(const TournamentView& view, const Meeting& meeting, const char* between = " – ") {
-  return named(view.label(meeting.pairing.first)) << between << named(view.label(meeting.pairing.second));
+  return named(view.shown(meeting.pairing.first)) << between << named(view.shown(meeting.pairing.second));
 }
 
 // In a gauntlet most teams never meet, so a table of all against all and an equilibrium make no sense.
@@ -46,7 +46,7 @@ Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
     const Ranked& each = ranks[i];
     std::vector<Cell> cells;
     if (several) {
-      cells = {i + 1, named(view.label(each.team)),
+      cells = {i + 1, named(view.shown(each.team)),
                !each.elo ? std::string("–")
                : each.elo->interval.bounded()
                    ? fmt::format("{} ± {:.1f}", with_sign(each.elo->value, 1), each.elo->margin())
@@ -54,7 +54,7 @@ Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
       if (with_nash) cells.emplace_back(fixed(each.nash, 2));
     } else {
       cells.push_back(Sentence(Sentence::Kind::mark, each.team == 0 ? "first" : "second")
-                      << named(view.label(each.team)));
+                      << named(view.shown(each.team)));
     }
     cells.insert(cells.end(), {each.matches, each.wins, each.draws, each.losses, fmt::format("{:.1f}", each.points),
                                fmt::format("{}:{}", each.scored, each.conceded), each.failures});
@@ -91,7 +91,7 @@ void add_metric(const TournamentView& view, const Meeting& meeting, Section& lin
   lines.line(fmt::format("{}: {:.4g} and {:.4g} per match, difference {:+.4g} {}, approximately", test.value,
                          metric.first().mean(), metric.second().mean(), estimate.value, interval),
              Readers::terminal);
-  lines.line(named(view.label(meeting.pairing.first))
+  lines.line(named(view.shown(meeting.pairing.first))
                  << fmt::format(" has less in {}, as much in {}, more in {} pairs, p at any time {:.2g}", less, equal,
                                 more, metric.test().p()),
              Readers::terminal);
@@ -200,10 +200,10 @@ void add_cross_table(const TournamentView& view, Section& out) {
   constexpr std::size_t most_named = 10;  // largest number of columns that have room for the names of teams
   for (std::size_t i = 0; i < ranks.size(); ++i) {
     table.headings.push_back(
-        {ranks.size() <= most_named ? named(view.label(ranks[i].team)) : Sentence(std::to_string(i + 1))});
+        {ranks.size() <= most_named ? named(view.shown(ranks[i].team)) : Sentence(std::to_string(i + 1))});
   }
   for (std::size_t i = 0; i < ranks.size(); ++i) {
-    std::vector<Cell> cells{Sentence(std::to_string(i + 1) + ' ') << named(view.label(ranks[i].team))};
+    std::vector<Cell> cells{Sentence(std::to_string(i + 1) + ' ') << named(view.shown(ranks[i].team))};
     for (const Ranked& other : ranks) {
       const double mine = won.at(ranks[i].team, other.team), all = mine + won.at(other.team, ranks[i].team);
       const bool played = all > 0.0 && other.team != ranks[i].team;
@@ -258,14 +258,14 @@ Section standing_section(const TournamentView& view) {
   Section out("standing", "Standing");
   for (const study::Pairing& pairing : view.course.calendar().pairings()) {
     if (!study::equal_teams(view.plan, pairing)) continue;
-    out.line(Sentence("A/A: ") << named(view.label(pairing.first)) << " and " << named(view.label(pairing.second))
+    out.line(Sentence("A/A: ") << named(view.shown(pairing.first)) << " and " << named(view.shown(pairing.second))
                                << " are equal, so every pair is a draw by construction",
              Readers::terminal);
   }
   if (is_without_verdict(view.plan, view.course)) return out;
   if (view.plan.teams.size() == 2) {
     out.note(Sentence("All numbers are from the point of view of ")
-                 << named(view.label(0)) << ", against " << named(view.label(1)) << ".",
+                 << named(view.shown(0)) << ", against " << named(view.shown(1)) << ".",
              Readers::page);
     out.table(teams_table(view, ranking(view.plan, view.course)), Readers::page);
     add_meeting(view, out);

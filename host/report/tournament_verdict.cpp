@@ -20,7 +20,7 @@ namespace {
 
 using study::Meeting;
 
-Sentence team(const TournamentView& view, std::size_t index) { return named(view.label(index)); }
+Sentence team(const TournamentView& view, std::size_t index) { return named(view.shown(index)); }
 
 Sentence numbers_of(const TournamentView& view, const Meeting& meeting) {
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));

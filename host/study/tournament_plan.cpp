@@ -67,17 +67,26 @@ void require_settable(const config::Node::Entry& setting, const TournamentPlan& 
   if (first == "opening" && plan.asked.settings.openings.empty()) refuse("there is no opening; `openings` names some");
 }
 
-// A team's label is its name. If teams share a name, their file follows, or their letter if they also share the file.
+// Returns the name of a team and its file, or its letter if another team has the same file.
+std::string told_apart(const TournamentPlan& plan, std::size_t team) {
+  const std::string& file = plan.asked.teams[team].team;
+  const bool same_file = std::ranges::count(plan.asked.teams, file, &config::Tournament::Team::team) > 1;
+  const std::string letter = team < 26 ? study::letter(team) : std::to_string(team + 1);
+  return fmt::format("{} ({})", plan.teams[team].label, same_file ? letter : file);
+}
+
+// A team's label is its name. If teams share a name, their file follows, or their letter if they also share the file. If
+// teams share a title, their labels follow it.
 void label_teams(TournamentPlan& plan) {
-  std::map<std::string, int> seen;
-  for (const Entrant& team : plan.teams) ++seen[team.label];
+  std::map<std::string, int> names, titles;
+  for (const Entrant& team : plan.teams) {
+    ++names[team.label];
+    ++titles[team.title];
+  }
   for (std::size_t i = 0; i < plan.teams.size(); ++i) {
-    std::string& label = plan.teams[i].label;
-    if (seen[label] == 1) continue;
-    const std::string& file = plan.asked.teams[i].team;
-    const bool same_file = std::ranges::count(plan.asked.teams, file, &config::Tournament::Team::team) > 1;
-    const std::string letter = i < 26 ? study::letter(i) : std::to_string(i + 1);
-    label = fmt::format("{} ({})", label, same_file ? letter : file);
+    Entrant& team = plan.teams[i];
+    if (names[team.label] > 1) team.label = told_apart(plan, i);
+    if (!team.title.empty() && titles[team.title] > 1) team.title = fmt::format("{} ({})", team.title, team.label);
   }
 }
 
@@ -166,6 +175,8 @@ class TournamentPlanner {
       mistakes_.attempt("test.metric", [&] { require_metric(*prepared.plans[0]); });
     }
     plan_.teams[team].label = prepared.plans[0]->team().name;
+    if (prepared.plans[0]->team().title != plan_.teams[team].label)
+      plan_.teams[team].title = prepared.plans[0]->team().title;
     plan_.teams[team].inputs = campaign::team_inputs(*prepared.plans[0], *prepared.documents[0], catalogue_);
     documents_.push_back(
         config::show(*prepared.documents[0], plugin::declarations(catalogue_.plugins()), config::Remarks::without));
@@ -249,6 +260,7 @@ class TournamentPlanner {
 template <Like<Entrant> Team, class Visit>
 static void fields(Team& team, Visit& visit) {
   visit("label", team.label);
+  visit.maybe("title", team.title);
   visit("inputs", team.inputs);
   visit("disturbances", team.disturbances);
 }

@@ -50,10 +50,13 @@ inline constexpr const char* goals_value = "goals";
 
 // A team, with the facts that the program found when it made the plan.
 struct Entrant {
-  std::string label;
+  std::string label;                    // the team's name, told apart from equal names
+  std::string title{};                  // shown to people in place of the label; empty: the label
   std::vector<campaign::Input> inputs;  // from campaign::team_inputs()
   // The inputs of the team's own disturbance, at home and away; empty if the team has no disturbance of its own.
   std::vector<campaign::Input> disturbances{};
+
+  const std::string& shown() const { return title.empty() ? label : title; }
 };
 
 // Whether an input of a match is the disturbance of this side: 0 home, 1 away.

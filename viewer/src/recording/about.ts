@@ -159,7 +159,7 @@ function contextOf(value: unknown, where: string): Context {
 function teamOf(value: unknown, where: string): Team {
   const team = checked.object(value, where);
   return {
-    name: checked.text(team.team, `${where}.team`),
+    name: checked.text(team.title ?? team.team, `${where}.title`),
     file: checked.text(team.file ?? "", `${where}.file`),
     robotRadius: positive(team.robot_radius, `${where}.robot_radius`),
     walkSpeed: (team.walk_speed ?? null) === null ? null : positive(team.walk_speed, `${where}.walk_speed`),
