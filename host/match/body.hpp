@@ -77,7 +77,7 @@ class Body {
   std::uint64_t seed_;
   Side side_;
   int number_;
-  mind::Walk commanded_, walk_;  // walk_: the command that applies since the last footstep
+  mind::Walk commanded_, walk_;  // walk_: the command in force since the last footstep; commanded_: the latest command
   double speed_ = 1.0;
   bool frozen_ = false;
   double next_step_ = 0.0;  // match time of the robot's next footstep, s

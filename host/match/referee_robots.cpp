@@ -100,7 +100,8 @@ void Referee::watch_progress() {
   }
 }
 
-// Moves robots that touch the place of the ball: the kicking side just off the ball, others to set_play_distance.
+// Moves robots that touch the place of the ball: the kicking side's robots to a place just off the ball, the other
+// side's robots to set_play_distance from the ball.
 void Referee::clear_spot(Vector spot) {
   const double touching = robot_radius_ + rules_.ball.diameter / 2.0 + clearance / 2.0;
   for (int id = 0; id < roster_.count(); ++id) {
