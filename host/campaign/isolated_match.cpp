@@ -83,7 +83,7 @@ class IsolatedMatch {
   IsolatedMatch(const IsolatedMatch&) = delete;
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
-  // The text for the parameter `kept` of play_isolated().
+  // Returns the text for the parameter `kept` of play_isolated().
   const std::string& kept() const { return kept_; }
 
   match::Result play() {

@@ -46,7 +46,8 @@ double parse_limit(const std::string& text) {
   return seconds;
 }
 
-// Returns the built-in values as a document. addressed: the document has each value, for paths of --set.
+// Returns the built-in values as a document. addressed: true if the document must name each value, so that paths of
+// --set can address it.
 config::Node built_in(const config::DocumentKind& kind, const std::string& name, bool addressed) {
   const std::string key(kind.name);
   const config::Location where{fmt::format("built-in {} {}", key, name), 0, 0};
