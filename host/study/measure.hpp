@@ -20,8 +20,8 @@
 
 namespace regista::study {
 
-// A number with its path (match/metric_table.hpp): "striker.overlap_seconds", "packets_by_reason.role_changed". If only
-// roles have a number, such as "overlap_seconds", its path without a role stands for the sum over all roles.
+// A number with its path (match/metric_table.hpp): "striker.overlap_seconds", "packets_by_reason.role_changed". If a
+// number exists only for roles, such as "overlap_seconds", its path without a role names the sum over all roles.
 struct NamedValue {
   std::string path;
   double value;
@@ -32,7 +32,8 @@ std::vector<NamedValue> metric_values(const match::MetricNumbers& metrics, int s
 std::vector<NamedValue> metric_values_of_match(const match::MetricNumbers& metrics);
 std::vector<NamedValue> all_metric_values(const match::MetricNumbers& metrics, int side);
 
-inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // for a pair that lacks the measure
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // the value of a pair that lacks the
+                                                                              // measure
 
 inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
 
@@ -126,7 +127,8 @@ class ForfeitList {
   // Undoes the last add(). Precondition: that call had the same team and failure.
   void take_back(std::size_t team, const campaign::Failure& failure);
 
-  const std::vector<Forfeits>& listed() const { return listed_; }  // one entry per reason, by first match
+  const std::vector<Forfeits>& listed() const { return listed_; }  // one entry per reason, ordered by the first match
+                                                                   // with this reason
   std::uint64_t unlisted() const { return unlisted_; }             // forfeits with a reason after the first 100 reasons
   const std::vector<std::uint64_t>& of_team() const { return of_team_; }
 

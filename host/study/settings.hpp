@@ -60,9 +60,9 @@ std::string_view first_part(std::string_view path);
 // The settings in a map of a document. what: the map's name in messages. Throws config::Error for an impossible path.
 config::Overrides settings_of(const config::Node& set, const std::string& what);
 
-// The settings of an arm at a value of the sweep. value: its index, 0 without a sweep. If two settings have the same
-// path, the later setting applies. document: the source of `experiment`. Throws config::Error for an impossible path,
-// or for a path that both arm and sweep set.
+// The settings of an arm at a value of the sweep. value: index of the sweep's value, 0 without a sweep. If two settings
+// have the same path, the later setting applies. document: the source of `experiment`. Throws config::Error for an
+// impossible path, or for a path that both arm and sweep set.
 config::Overrides settings_of(const config::Experiment& experiment, const config::Node& document, std::size_t arm,
                               std::size_t value);
 
@@ -81,7 +81,8 @@ std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds);
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins);
 
 // Sets up the match of a job with `settings` in place of the job's own overrides. said: the same settings with the
-// paths of the study's document, for messages. Throws config::Error with the place of the mistake in a document.
+// paths that the study's document uses; error messages show these paths. Throws config::Error with the place of the
+// mistake in a document.
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
                               const config::Overrides& said, const plugin::Catalogue& catalogue);
 

@@ -25,9 +25,9 @@ struct Entry {
   std::uint64_t least_for_each, least_besides;  // for algorithms without population, see below
 };
 
-// Without population, the first step needs least_for_each * n + least_besides evaluations. A simplex needs n + 1 points
-// and one more. bobyqa needs the start, the points of its first model, and the model's optimum. direct_l needs the
-// start, the centre, and both sides of the centre in each dimension.
+// Without population, the first step needs least_for_each * n + least_besides evaluations. A simplex method needs the n
+// + 1 points of its simplex and one new point. bobyqa needs the start, the points of its first model, and the model's
+// optimum. direct_l needs the start, the centre, and both sides of the centre in each dimension.
 constexpr std::array<Entry, 11> entries{{
     {Algorithm::sbplx, "sbplx", "Nelder-Mead on subspaces (Rowan's Subplex), by NLopt", true, false, 1, 2},
     {Algorithm::bobyqa, "bobyqa", "quadratic models within bounds (Powell), by NLopt", true, false, 2, 3},
