@@ -30,7 +30,7 @@ struct Reader {
   void operator()(const Name& name) const { name.member.get() = to_name(node, what); }
   void operator()(const File& file) const {
     std::error_code none;
-    // In a saved document every name is a file name, because a saved document has no key for built-in values.
+    // A saved document leaves out the key if built-in values are used, so each name in it is a file name.
     const bool is_built_in = !file.built_in.empty() && node.text() == file.built_in && mistakes.looks_for_files() &&
                              !std::filesystem::exists(named_file(node, what), none);
     file.member.get() = is_built_in ? std::string() : file_of(node);
@@ -171,7 +171,8 @@ struct Reader {
   }
 };
 
-// A known key without a colon (`assigner {plugin`) or without a space behind it (`priority:10`). message: for the user.
+// A known key without a colon (`assigner {plugin`) or without a space after the colon (`priority:10`). message: for the
+// user.
 struct Run {
   std::string key, message;
 };
