@@ -55,7 +55,7 @@ void face_task(regista_task& task, const config::TargetRule& rule, const NamedPo
 
 // A smaller difference is noise of sensing, not an event.
 constexpr double ball_moved_at_least = 0.3, pose_moved_at_least = 0.2;  // m
-// A ball that the robot did not see for a shorter time was not lost.
+// The ball counts as found again only if the robot had not seen it for this time or longer.
 constexpr double ball_missed_at_least = 1.0;  // s
 constexpr int goalkeeper = 1;                 // shirt number; the rules number the goalkeeper 1
 

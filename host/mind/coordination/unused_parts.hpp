@@ -2,7 +2,7 @@
 // Searches for parts of a team that probably have no effect: contexts that never apply, terms of the utility that
 // change nothing, and segments that are too long for every packet. Also finds situations in which no context applies.
 // The searches call the team's plugins in made-up scenes, and so need no knowledge about the plugins. The scenes may
-// lack a situation in which a part has an effect. config::warnings() reports what the team's page alone shows.
+// lack a situation in which a part has an effect. config::warnings() reports what the team's document alone shows.
 //
 // Scenes have no packets of teammates, so the searches do not judge contexts and terms whose plugin has a mailbox. All
 // searches throw plugin::Failure if a plugin fails. Equal plans give equal findings.
