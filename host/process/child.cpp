@@ -256,7 +256,7 @@ std::optional<ProcessEnd> Child::look() { return process_ == -1 ? std::nullopt :
 ProcessEnd Child::wait() { return *reaped(0); }
 
 void Child::kill() const {
-  // Kills the process itself, too, because it may not be in its group yet, or not any more.
+  // Kills the process itself, too, because the process may not have joined its group yet, or may have left it.
   if (process_ == -1) return;
   ::kill(-process_, SIGKILL);
   ::kill(process_, SIGKILL);
