@@ -309,10 +309,10 @@ void look_whether_it_is_over(const StudyFolder& folder, const results::Invocatio
                                 campaign::Journal::rollback);
         step(folder, results, false, invocation);
       }
-      // Another task may have ended meanwhile. It found the file in use, so this process gathers its matches.
+      // A task that ended meanwhile found the file of results in use, so this process gathers the task's matches.
     } while (++looks < most_looks && something_is_left());
   } catch (const campaign::StoreInUse&) {
-    // Ignored: another process takes a step at present.
+    // The error is ignored, because another process takes a step at present.
   } catch (const std::exception& error) {
     // The study continues: the next step tries again.
     command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));
