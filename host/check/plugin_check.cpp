@@ -340,7 +340,8 @@ class FileCheck {
     return out;
   }
 
-  // Adds the verdict of a check without a child. bars: true always adds the verdict, also if unwanted.
+  // Adds the verdict of a check that needs no child process. bars: adds the verdict even if the user asked for no such
+  // check.
   void here(const std::string& name, const std::string& promise, const Outcome& outcome, bool bars = false) {
     if (bars || is_wanted(options_.only, name)) judge(name, promise, [&] { return outcome; });
   }
