@@ -38,7 +38,7 @@ class MatchRun {
   int plays() const { return plays_; }  // number of plays, without plays that only record the match
   // Describes the death of a worker, if another worker then played the match to its end; otherwise empty.
   const std::string& accident() const { return accident_; }
-  const std::string& not_recorded() const { return not_recorded_; }  // why the recording is missing; mostly empty
+  const std::string& not_recorded() const { return not_recorded_; }  // why the recording is missing; usually empty
 
  private:
   // The purpose of a play. "Perturbed": in another folder, environment and date, at other addresses. With

@@ -104,7 +104,7 @@ class MindHost {
   void remember_memory() {
     for (const void* const object : plugin::noted_objects()) memory_.emplace_back(object).remember();
   }
-  // Returns the files and variables that have changed: "greedy.so: taken, worst.so"; mostly empty.
+  // Returns the files and variables that have changed: "greedy.so: taken, worst.so"; usually empty.
   std::string kept_in_files() const {
     std::string out;
     for (const plugin::OwnMemory& each : memory_) {

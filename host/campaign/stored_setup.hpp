@@ -135,7 +135,7 @@ class StoredSetup {
 
   // Returns the changes of the files in words; empty if all files are unchanged, and so no copies were made.
   const std::string& changed() const { return changed_; }
-  // Returns the differences from the stored match that remain even with copies, in words; mostly empty.
+  // Returns the differences from the stored match that remain even with copies, in words; usually empty.
   const std::string& missing() const { return missing_; }
   // Returns whether a match can be played. This match may differ from the stored match if missing() is not empty.
   bool playable() const { return prepared_.plans[0] != nullptr; }

@@ -272,7 +272,7 @@ void read(const Map& map, const Node& node, const std::string& what, Mistakes& m
     mistakes.attempt(path, [&] { std::visit(Reader{value, path, mistakes}, field.kind); });
   }
   if (map.where) {
-    // If the command line chose the plugin, the Location of the map becomes that of the command line.
+    // If the command line chose the plugin, the map gets the Location of the command line.
     const Node chosen = node["plugin"];
     *map.where = chosen && chosen.where().is_laid() ? chosen.where() : node.where();
     if (mistakes.doubtful(inside(what, "plugin")) || mistakes.doubtful(inside(what, "file"))) {

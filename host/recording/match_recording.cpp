@@ -181,7 +181,7 @@ struct MatchRecording::Impl {
         robots[i].beliefs.id = writer.add_channel("/belief" + whose, "json", belief);
       }
     }
-    // The file must have its metadata even after a crash in the first seconds, so they are written outside of chunks.
+    // Metadata are written outside of chunks, because a crash in the first seconds loses the chunk in memory.
     writer.write(mcap::Metadata{match_metadata_name, match_metadata(setup)});
   }
 

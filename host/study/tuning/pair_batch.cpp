@@ -21,8 +21,8 @@ campaign::Job with_values(campaign::Job job, std::size_t side, const std::vector
   return job;
 }
 
-// The factor for the difference between two teams' values that gives one team's advantage over an equal opponent. If
-// the values have a fixed sum, the difference contains the advantage twice, so the factor is 1/2.
+// The factor that turns the difference of two teams' values into one team's advantage over an equal opponent. If the
+// values have a fixed sum, the difference contains the advantage twice, so the factor is 1/2.
 double share_of_difference(const std::string& measure) {
   return measure == "goal_difference" || measure == "points" ? 0.5 : 1.0;
 }
