@@ -41,23 +41,20 @@ struct Options {
   std::string notify;  // a command of the shell that runs when the study has ended
   bool resume = false, json = false, quiet = false, no_page = false;
   bool live = false;  // true: the page is also rewritten during the study
-  // What the run plays; set by the program, not by the user. what_is_missing: all matches that the file of results
-  // lacks. nothing_yet: no match, because the run only creates the file. nothing_more: no match, because the file holds
-  // all matches.
+  // What the run plays; not set by the user. what_is_missing: all matches that the file of results lacks. nothing_yet:
+  // no match, because the run only creates the file. nothing_more: no match, because the file holds all matches.
   enum class Plays { what_is_missing, nothing_yet, nothing_more } plays = Plays::what_is_missing;
   std::vector<std::string> plugin_files;  // set by the program: files in the folders of `plugins`
   std::optional<Moment> end_of_time;      // set by the program: check() computes this time from `until` and `minutes`
 };
 
-// Throws BadInput for a bad option, so check() must be called before files are created. The time `minutes` begins at
-// this call.
+// Throws BadInput for a bad option. Must be called before files are created. The time `minutes` begins at this call.
 void check(Options& options);
 
 // number_of_workers() and record_every() throw BadInput for a text that is no such number.
 int number_of_workers(const Options& options);
 std::uint64_t record_every(const Options& options);  // 0: only failed matches are recorded
 
-// Returns the limits that a study's document sets.
 Limits limits_of(const config::MatchSettings& settings);
 
 struct Schedule {

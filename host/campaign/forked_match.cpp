@@ -53,7 +53,6 @@ void pass_on(int signal_number) {
   errno = error;
 }
 
-// Does the work and returns the exit code.
 int work_in_copy(const std::function<int(WorkerNote&)>& work, Shared& shared) {
   std::signal(SIGTTOU, SIG_IGN);  // so that the copy may write to the terminal
   plugin::note_fatal_signals(shared.note.fatal);

@@ -246,8 +246,7 @@ void MatchRun::failed(Attempt attempt) {
         decide(forfeit(failure, 0.0));
         break;
       }
-      // The broken promise is only a remark: other matches of the pairing are not inspected so closely, so it may not
-      // decide this match.
+      // This is only a remark: other matches of the pairing are inspected less closely, so it may not decide the match.
       first_->broken = (failure.robot == 0 ? "" : place(failure)) + attempts_.back().what;
       if (limits_.allow_shared_memory)
         decide_first();

@@ -28,7 +28,6 @@ enum class Status : std::uint8_t {
   skip    // there is nothing to check, or the result of an earlier check prevents the check
 };
 
-// "pass", "warn", "fail", "crash", "skip"
 const char* word(Status status);
 
 struct Verdict {

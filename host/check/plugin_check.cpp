@@ -340,8 +340,7 @@ class FileCheck {
     return out;
   }
 
-  // Adds the verdict of a check that needs no child process. bars: adds the verdict even if the user asked for no such
-  // check.
+  // Adds the verdict of a check that needs no child. bars: adds the verdict even if the user did not ask for the check.
   void here(const std::string& name, const std::string& promise, const Outcome& outcome, bool bars = false) {
     if (bars || is_wanted(options_.only, name)) judge(name, promise, [&] { return outcome; });
   }

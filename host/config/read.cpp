@@ -171,8 +171,7 @@ struct Reader {
   }
 };
 
-// A known key without a colon (`assigner {plugin`) or without a space after the colon (`priority:10`). message: for the
-// user.
+// A known key without a colon (`assigner {plugin`) or without a space after it (`priority:10`). message: for the user.
 struct Run {
   std::string key, message;
 };

@@ -72,7 +72,6 @@ void RoleMeasures::sent(double time) {
 void RoleMeasures::sample(std::uint32_t active) {
   ++now_.samples;
   const int robots = std::popcount(active);
-  // Agreement needs at least two active robots.
   if (robots >= 2) {
     ++now_.compared;
     if (agree(active)) ++now_.agreed;

@@ -106,8 +106,7 @@ class Replay {
   std::size_t steps() const { return log_.step_ends.size(); }
   bool step();  // replays one physics step; false at the end of the log
   void run();   // replays all remaining steps
-  // The states after the last replayed step, as in the match. Exception: the ball has not lost the speed that friction
-  // takes in the last half of the step.
+  // The states after the last replayed step, as in the match, but the ball lacks the last half step of friction.
   std::span<const BodyState> states();
 
  private:

@@ -100,8 +100,7 @@ void Referee::watch_progress() {
   }
 }
 
-// Moves robots that touch the place of the ball: the kicking side's robots to a place just off the ball, the other
-// side's robots to set_play_distance from the ball.
+// Moves robots that touch the ball's place: the kicking side's just off the ball, others to set_play_distance.
 void Referee::clear_spot(Vector spot) {
   const double touching = robot_radius_ + rules_.ball.diameter / 2.0 + clearance / 2.0;
   for (int id = 0; id < roster_.count(); ++id) {

@@ -242,8 +242,7 @@ class Painter {
   void panel(const Panel& of, Box box, bool first) {
     Scale x;
     std::vector<Tick> x_ticks;
-    // The first round measures how far the last tick's text sticks out of the chart. The second round shortens the
-    // axis.
+    // The first round measures how far the last tick's text exceeds the chart. The second round shortens the axis.
     for (const bool known : {false, true}) {
       if (known && !x_ticks.empty()) {
         const Tick& last = x_ticks.back();

@@ -46,8 +46,7 @@ struct RankedResults {
     statistics::Count games = 0;
     std::size_t group = 0;
   };
-  // The teams of a group are together, best first: by Elo or, without Elo, by share of points. Ties keep the file's
-  // order.
+  // A group's teams are together, best first: by Elo or, without Elo, by share of points. Ties keep the file's order.
   std::vector<Team> teams;
   statistics::Count games = 0, pairs = 0;
   std::vector<std::string> remarks;  // sentences

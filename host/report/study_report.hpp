@@ -92,8 +92,7 @@ class StudyReport {
   virtual std::string end_table() const { return {}; }
   virtual std::string summary_table() const { return {}; }  // a short table of the findings; empty: no such table
 
-  // To make a page, call begin_page(), take() for each match, end_page(). A page needs take() at least for its
-  // fingerprint.
+  // To make a page, call begin_page(), take() for each match, end_page(). take() computes at least the fingerprint.
   virtual campaign::Metrics page_metrics() const { return study().metrics(); }
   virtual void begin_page(const std::filesystem::path& /*results*/) {}
   virtual void take(const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {

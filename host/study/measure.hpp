@@ -32,8 +32,7 @@ std::vector<NamedValue> metric_values(const match::MetricNumbers& metrics, int s
 std::vector<NamedValue> metric_values_of_match(const match::MetricNumbers& metrics);
 std::vector<NamedValue> all_metric_values(const match::MetricNumbers& metrics, int side);
 
-inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // the value of a pair that lacks the
-                                                                              // measure
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // a pair without the measure
 
 inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
 
@@ -127,8 +126,7 @@ class ForfeitList {
   // Undoes the last add(). Precondition: that call had the same team and failure.
   void take_back(std::size_t team, const campaign::Failure& failure);
 
-  const std::vector<Forfeits>& listed() const { return listed_; }  // one entry per reason, ordered by the first match
-                                                                   // with this reason
+  const std::vector<Forfeits>& listed() const { return listed_; }  // sorted by the reason's first match
   std::uint64_t unlisted() const { return unlisted_; }             // forfeits with a reason after the first 100 reasons
   const std::vector<std::uint64_t>& of_team() const { return of_team_; }
 

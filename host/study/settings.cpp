@@ -163,8 +163,7 @@ campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides&
   try {
     return campaign::match_setup(request, catalogue);
   } catch (const config::Error& error) {
-    // The error names a place in a document, but not the path of the setting. So this function finds the setting that
-    // was written at this place, and adds its path to the message.
+    // Finds the setting at the error's place, because the place in a document does not show which path was set.
     const auto is_of = [&error](const config::Location& where) {
       return where.line > 0 && where.line == error.where().line && where.column == error.where().column &&
              where.file == error.where().file;

@@ -81,8 +81,8 @@ std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds);
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins);
 
 // Sets up the match of a job with `settings` in place of the job's own overrides. said: the same settings with the
-// paths that the study's document uses; error messages show these paths. Throws config::Error with the place of the
-// mistake in a document.
+// paths of the study's document, which error messages show. Throws config::Error with the place of the mistake in a
+// document.
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
                               const config::Overrides& said, const plugin::Catalogue& catalogue);
 

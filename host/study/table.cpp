@@ -213,8 +213,7 @@ namespace {
 using statistics::Encounter;
 using statistics::GameOutcome;
 
-// The names of a layout's columns: first the columns of the two teams, then the columns of the results, in the order of
-// the counts.
+// Names of a layout's columns: first the two teams, then the results in the order of the counts.
 using Layout = std::vector<std::string>;
 const Layout pairs{"first", "second", "LL", "LD", "DD", "WD", "WW"},
     games{"first", "second", "losses", "draws", "wins"}, scores{"first", "second", "score"},
@@ -237,8 +236,7 @@ const Layout& layout_of(const Table& table) {
 void refuse_unknown_columns(const Table& table, Layout known) {
   // Columns without results that are allowed: the row numbers of pandas and R, and columns of a tournament's table.
   static const Layout left_out{"", "row", "seed", "opening", "ended", "forfeited_by", "plugin", "call", "why"};
-  const bool of_tournament = table.has_column("state_hash");  // such a table also has a column for each metric, with
-                                                              // any name
+  const bool of_tournament = table.has_column("state_hash");  // such a table also has columns of metrics
   if (known != pairs && known != games) known.emplace_back("pair");
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const std::string& name = table.columns()[i];
@@ -268,8 +266,7 @@ class Reader {
       out_.encounters[key.first].games.add(*game.outcome);
       if (!alone || game.where.line < alone->line) alone = game.where;
     }
-    // The table of an unfinished tournament (layout `goals`) may have a pair with one game. The tournament's own
-    // ranking also counts this game.
+    // An unfinished tournament (layout `goals`) may have such a pair, and its own ranking also counts the game.
     if (alone && &layout_ != &goals) throw config::Error(*alone, "this pair has one game; expected two");
     const auto played = [](const Encounter& each) { return each.games_played() > 0; };
     if (std::ranges::none_of(out_.encounters, played)) throw config::Error({file_}, "holds no game");

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Reads tables of comma-separated values as people, pandas, R and this program write them (RFC 4180), in UTF-8, plain
 // or compressed by gzip. The first line names the columns; blank lines are ignored. libcsv splits a line into fields.
-// Table passes libcsv one field at a time, so that it knows the line and column of each field. A file of chess games is
-// also read as a table (PGN, "Portable Game Notation Specification and Implementation Guide", 1994); its columns are
-// the headers White, Black and Result.
+// Table passes libcsv one field at a time, to know the place of each field. A file of chess games is a table, too (PGN,
+// "Portable Game Notation Specification and Implementation Guide", 1994), with the columns White, Black and Result.
 #pragma once
 
 #include <cstddef>
@@ -55,8 +54,7 @@ class Table {
   // A whole number from 0 to `most`, which is below 2^53; the text may be "3.0".
   std::int64_t count(std::size_t column, std::int64_t most) const;
 
-  config::Location where(std::size_t column) const;  // place of the field; before the first next(): place of the
-                                                     // column's name
+  config::Location where(std::size_t column) const;  // place of the field or, before next(), of its column's name
   [[noreturn]] void refuse(std::size_t column, const std::string& message) const;  // throws config::Error at the field
 
  private:

@@ -31,7 +31,6 @@ inline std::string_view cut_text(std::string_view text, std::size_t bytes) {
   return text.substr(0, end);
 }
 
-// A line that a plugin wrote.
 struct LogLine {
   std::int32_t level = 0;   // REGISTA_LOG_*
   int side = 0;             // 0 home, 1 away

@@ -278,8 +278,7 @@ std::vector<bool> untouched(std::span<const Sample> samples, double window) {
     // Each velocity is the velocity in the middle of its window, so the two velocities are `window` seconds apart.
     const double speed = before->norm();
     const double slowed = speed > 0.0 ? std::min(1.0, sliding_deceleration * window / speed) : 0.0;
-    // The fraction of the old velocity that brings it nearest to the new velocity, among the fractions that braking
-    // allows.
+    // The fraction of the old velocity that is nearest to the new velocity, among the fractions that braking allows.
     const double kept = speed > 0.0 ? std::clamp(before->dot(*after) / (speed * speed), 1.0 - slowed, 1.0) : 0.0;
     out[i] = (*after - kept * *before).norm() < least_change;
   }

@@ -40,8 +40,7 @@ PairBatch::PairBatch(const TuningPlan& plan, const TunedDocument& document,
       packets_(candidates.size()),
       failed_(candidates.size(), false) {
   const std::size_t scenes = std::max<std::size_t>(plan.openings.size(), 1);
-  std::vector<std::size_t> used, places;  // used: the scenes in the order of their first use; places: for each pair, an
-                                          // index into `used`
+  std::vector<std::size_t> used, places;  // used: scenes by first use; places[pair]: index into `used`
   for (std::uint64_t pair = 0; pair < pairs.count; ++pair) {
     // The seed draws the scenes of a verification, because it may stop at any pair.
     const std::size_t scene = pairs.stage == TuningStage::verification

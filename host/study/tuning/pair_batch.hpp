@@ -106,9 +106,8 @@ struct MatchSource {
 // called after each pair of all candidates; a result false ends the batch; may be empty. Throws what `play` throws.
 void play_batch(const MatchSource& source, PairBatch& batch, const std::function<bool()>& after_pair = {});
 
-// The score of a candidate in its matches, and the number that the search gets for the candidate. The search always
-// gets a number, even if the team forfeited or no match has a value for the objective. A larger score is always better,
-// also for a minimised objective.
+// The score of a candidate in its matches, and the number that the search gets for it, even if the team forfeited or no
+// match has a value for the objective. A larger score is always better, also for a minimised objective.
 struct PlayedScore {
   MeanEstimate score;    // over pairs
   bool failed = false;   // a plugin of the team forfeited a match

@@ -91,8 +91,8 @@ SearchSettings settings_of(const TuningPlan& plan) {
   SearchSettings out;
   out.start = point_of(plan, start_values(plan));
   out.evaluations = plan.evaluations() - 1;  // the base team is evaluated first
-  // If rounding makes two points equal, the second point costs no matches. So algorithms that do not divide the budget
-  // into steps beforehand may evaluate more points than the budget has matches for.
+  // Points that rounding makes equal cost no matches. So algorithms that do not divide the budget into steps beforehand
+  // may ask for more points.
   constexpr std::uint64_t most_repeats = 4;
   const bool plans = plan.algorithm() == Algorithm::spsa || plan.algorithm() == Algorithm::sep_cma_es ||
                      plan.algorithm() == Algorithm::random_search;
@@ -196,8 +196,7 @@ OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::opti
   const double most = plan.asked.search.minutes ? 60.0 * *plan.asked.search.minutes : HUGE_VAL;
   return [&store, most, end_of_time, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-    // The results of these points are read from the file of an earlier run. Reading takes no time, so the clock does
-    // not stop the search here.
+    // Results of an earlier run are read from the file, which takes no time, so the clock does not stop here.
     if (evaluations < before.evaluations) return false;
     if (!began) began = Clock::now();
     const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();
