@@ -246,7 +246,7 @@ void MatchRun::failed(Attempt attempt) {
         decide(forfeit(failure, 0.0));
         break;
       }
-      // This is only a remark: other matches of the pairing are inspected less closely, so it may not decide the match.
+      // A broken promise is only a remark here, because the pairing's other matches are inspected less closely.
       first_->broken = (failure.robot == 0 ? "" : place(failure)) + attempts_.back().what;
       if (limits_.allow_shared_memory)
         decide_first();

@@ -343,7 +343,7 @@ std::string neighbour(const fs::path& file) {
 
 constexpr std::size_t most_files = 20'000;  // largest number of files to find; a folder may contain any number of files
 constexpr std::size_t longest_name = 4'096;  // bytes of a file name
-constexpr int most_names = 8;                // names kept per file: a link to its own folder gives a file endless names
+constexpr int most_names = 8;                // names kept per file: a folder that links to itself gives endless names
 
 class Search {
  public:

@@ -360,7 +360,7 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
 void look_at_each(std::span<const fs::path> files, std::vector<ScannedFile>& out) {
   const Looked looked = look_at(files, 0, out);
   if (looked == Looked::at_all) return;
-  // Does not examine the file at which the child hung a second time, so that the user waits only once.
+  // Does not examine again the file at which the child hung, so that the user waits only once.
   const auto hung = looked == Looked::until_one_that_hung
                         ? std::ranges::find_if(out, [](const ScannedFile& each) { return !each.refusal.empty(); })
                         : out.end();

@@ -41,7 +41,7 @@ std::string counts_json(const SequentialTestOfCounts& test);
 struct RankedResults {
   struct Team {
     std::string name;
-    std::optional<statistics::Estimate> elo;  // missing: the results do not determine it. Sum in a group: 0
+    std::optional<statistics::Estimate> elo;  // missing: not determined by the results; the sum in a group is 0
     double points = 0.0;
     statistics::Count games = 0;
     std::size_t group = 0;

@@ -32,7 +32,7 @@ std::vector<NamedValue> metric_values(const match::MetricNumbers& metrics, int s
 std::vector<NamedValue> metric_values_of_match(const match::MetricNumbers& metrics);
 std::vector<NamedValue> all_metric_values(const match::MetricNumbers& metrics, int side);
 
-inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // a pair without the measure
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // value of pairs that lack the measure
 
 inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
 

@@ -30,7 +30,7 @@ using Progress = std::function<void(std::size_t lines)>;
 class Table {
  public:
   static constexpr std::size_t longest_line = 65'536;     // bytes; also the limit for a field that spans several lines
-  static constexpr std::size_t most_lines = 100'000'000;  // a camera with 1 kHz writes about so many lines in a day
+  static constexpr std::size_t most_lines = 100'000'000;  // about the lines that a 1 kHz camera writes in a day
 
   // Opens the file and reads the names of its columns. All calls throw config::Error at the place of a mistake.
   explicit Table(const std::filesystem::path& file, Progress progress = {});

@@ -216,7 +216,8 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, E
     next_pairs = generations ? run.pairs_of(run.asked - 1) + 1 : 0;
     start = inquiry.best(1).front();
   }
-  // Mean values over the same pairs are compared. Single values are too noisy, so best_by_neighbours() compares them.
+  // Means over the same pairs rank points directly. Single values are noisy, so best_by_neighbours() ranks their
+  // points.
   std::vector<Point> recommended = inquiry.best(generations ? candidates : most_recommended);
   if (generations && !recommended.empty()) {
     recommended = best_by_neighbours(inquiry.points(), inquiry.values(), recommended, most_recommended);
