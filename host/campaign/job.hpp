@@ -33,7 +33,7 @@ struct Limits {
   // true: the robots of a team may share memory, so the minds of a team share one process in both plays.
   bool allow_shared_memory = false;
 
-  // s of processor time for the whole match (RLIMIT_CPU).
+  // Returns the limit of processor time for the whole match, s (RLIMIT_CPU).
   int match_seconds() const { return 100 * processor_seconds; }
   friend bool operator==(const Limits&, const Limits&) = default;
 };

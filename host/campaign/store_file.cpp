@@ -114,7 +114,7 @@ class StoreFile::Hold {
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;
 
-  // Whether the file has the head of a file of this program ("Database File Format", sqlite.org).
+  // Returns whether the file has the head of a file of this program ("Database File Format", sqlite.org).
   bool begins_as_ours() const {
     std::array<char, head_size> head{};
     return pread(file_.number, head.data(), head.size(), 0) == head_size && is_head({head.data(), head.size()});

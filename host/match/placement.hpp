@@ -35,7 +35,7 @@ inline bool in_centre_circle(const config::FieldSize& field, Vector at) {
   return squared_length(at) < radius * radius;
 }
 
-// Whether the whole robot is on the border strip outside the lines. A robot in a goal is not on the border strip.
+// Returns whether the whole robot is on the border strip outside the lines. A goal is not a part of the strip.
 inline bool on_border_strip(const config::FieldSize& field, Vector at, double robot_radius) {
   if (std::fabs(at.y) > field.width / 2.0 + robot_radius) return true;
   return std::fabs(at.x) > field.length / 2.0 + robot_radius && std::fabs(at.y) > field.goal_width / 2.0;

@@ -36,7 +36,7 @@ inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  //
 
 inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
 
-// Whether match::metric_table() lists the measure as a time, such as "striker.overlap_seconds".
+// Returns whether match::metric_table() lists the measure as a time, such as "striker.overlap_seconds".
 bool is_time(std::string_view measure);
 
 // Returns "min per 60 min" for a time, "per match" for any other measure.
@@ -72,7 +72,7 @@ class MatchMeasures {
 // Why the matches of a study do not have this metric, in words; empty if they have the metric.
 std::string why_missing(std::string_view metric, bool short_games);
 
-// Whether a team spent over 1.05 times its share. A smaller excess may come from a game that ends between packets.
+// Returns whether a team spent over 1.05 times its share. A game that ends between packets may cause a small excess.
 inline bool is_overspent(double over, double share) { return over > 0.05 * share && over > 0.0; }
 
 // The packets of one team in one game: number sent, and the team's share of the budget.
@@ -99,7 +99,7 @@ class PacketsSpent {
   std::int64_t games() const { return spent_.count(); }
   double spent() const { return spent_.mean(); }
   double share() const { return share_.mean(); }
-  // Whether the team overspent on average. Uses the mean of `over`, because spent() - share() is rounded differently.
+  // Returns whether the team overspent on average, by the mean of `over`: spent() - share() is rounded differently.
   bool overspent() const { return is_overspent(over_.mean(), share_.mean()); }
 
  private:

@@ -37,7 +37,7 @@ constexpr std::array<OtherDocument, 5> documents{
 
 auto document_of(std::string_view path) { return std::ranges::find(documents, first_part(path), &OtherDocument::name); }
 
-// Whether `path` lies inside `whole`. Example: sender.params.period lies inside sender.
+// Returns whether `path` lies inside `whole`. Example: sender.params.period lies inside sender.
 bool is_inside(std::string_view path, std::string_view whole) {
   return path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
 }

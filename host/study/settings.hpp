@@ -66,7 +66,7 @@ config::Overrides settings_of(const config::Node& set, const std::string& what);
 config::Overrides settings_of(const config::Experiment& experiment, const config::Node& document, std::size_t arm,
                               std::size_t value);
 
-// Whether a path belongs to the study's own team.
+// Returns whether a path belongs to the study's own team.
 bool is_of_own_team(std::string_view path);
 
 // on_side(): translates the paths from the study's document to a match with the own team on this side (0 home, 1 away).

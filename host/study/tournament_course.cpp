@@ -310,7 +310,7 @@ void Tournament::count_row(const Fixture& fixture, const campaign::MatchResult& 
   }
 }
 
-// Whether each pairing has a team that was set aside, so that no match is left.
+// Returns whether each pairing has a team that was set aside, so that no match is left.
 bool Tournament::nobody_is_left() const {
   return std::ranges::all_of(calendar_.pairings(), [&](const Pairing& pairing) {
     return is_set_aside(pairing.first) || is_set_aside(pairing.second);

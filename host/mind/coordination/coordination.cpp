@@ -186,7 +186,7 @@ const DistributedWorldModel& Coordination::world_for(config::Knowledge knowledge
   return worlds.of(knowledge);
 }
 
-// Whether the team's document allows that the task moves to a waypoint.
+// Returns whether the team's document allows that the task moves to a waypoint.
 bool Coordination::moves(const regista_task& task) const {
   return context().tasks.offset_at_most > 0.0 && plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
 }

@@ -24,7 +24,7 @@ namespace regista::mind {
 
 inline constexpr std::uint64_t made_up_seed = 1;  // seed of scenes and plugins
 
-// Whether the plugin has a mailbox, so that its answers may depend on packets, which a made-up scene lacks.
+// Returns whether the plugin has a mailbox, so that its answers may depend on packets, which a made-up scene lacks.
 inline bool talks(const Part& part) { return part.found->description->implements(REGISTA_KIND_MAILBOX); }
 
 // Random numbers for scenes. The standard library's distributions are not used: they differ between libraries.

@@ -59,8 +59,6 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
 // Replaces the robot's position by its fusion with the seen track: the product of two independent Gaussians.
 void sharpen(regista_robot& robot, const regista_track& seen);
 
-// --- Fusion.
-
 // The covariance of a ball's state (x, y, vx, vy): ten numbers in the 2 x 2 blocks position, velocity and cross. The
 // inverse by blocks (Schur complement) costs a third of a general inverse.
 struct Symmetric4 {

@@ -47,10 +47,10 @@ void set_velocity(regista_track& track, const Vector2d& velocity) {
   track.vy = velocity.y();
 }
 
-// m; obstacles of two sources that are closer together are one object (B-Human's release: 1.1 m)
+// Obstacles of two sources that are closer together than this distance (m) are one object (B-Human's release: 1.1 m).
 constexpr double merge_distance = 1.1;
 
-// s; an estimate without a sighting for this time is dropped, because the ball may then be anywhere on the field
+// An estimate without a sighting for this time (s) is dropped: the ball may then be anywhere on the field.
 constexpr double ball_forgotten_after = 30.0;
 
 static_assert(static_cast<int>(Phase::finished) == REGISTA_PHASE_FINISHED);

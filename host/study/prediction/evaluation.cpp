@@ -74,7 +74,7 @@ struct Path {
   }
 };
 
-// s; long enough to measure a velocity, and not longer than a ball needs to cross a robot.
+// This time (s) is long enough to measure a velocity, and at most the time in which a ball crosses a robot.
 constexpr double touch_window = 0.1;
 
 std::map<int, Path> paths_of(const Stretch& stretch, const std::vector<bool>& shown) {

@@ -110,7 +110,7 @@ constexpr std::array of_nlopt{NLOPT_LN_SBPLX,   NLOPT_LN_BOBYQA,   NLOPT_LN_NELD
                               NLOPT_GN_CRS2_LM, NLOPT_GN_DIRECT_L, NLOPT_GN_ISRES,      NLOPT_GN_ESCH};
 constexpr bool is_local(Algorithm algorithm) { return algorithm <= Algorithm::cobyla; }
 
-// Whether the algorithm may skip its start. DIRECT begins at the centre. BOBYQA moves a start that is near a bound.
+// Returns whether the algorithm may skip its start. DIRECT begins at the centre. BOBYQA moves a start near a bound.
 bool may_pass_over_start(Algorithm algorithm, const Point& start) {
   if (algorithm == Algorithm::direct_l) return true;
   const auto near = [](double x) { return (x > 0.0 && x < first_step) || (x < 1.0 && x > 1.0 - first_step); };
