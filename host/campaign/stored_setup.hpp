@@ -23,7 +23,7 @@ class Database;
 
 namespace regista::campaign {
 
-// A file as it was when the study began. With documents, a match can be replayed after its files were edited.
+// A file as it was when the study began. The stored content allows a replay of a match after the file was edited.
 struct Document {
   std::string path;                    // absolute
   std::optional<std::string> content;  // empty for a file that was too large, and for a shared object
