@@ -20,14 +20,14 @@
 
 namespace regista::campaign {
 
-// --- How the matches of a study are played and where they are stored. These options are no part of the study and may
+// --- How the matches of a study are played and where they are stored. These options are not part of the study and may
 // change between runs. Values are stored as the user typed them. Times are in the local time zone of the machine.
 
 using Moment = std::chrono::system_clock::time_point;
 
 // Returns the moment from which a study begins no more matches. until: "08:00" (the next 08:00 of the clock), or
 // "2026-11-28T08:00"; minutes: "90". Returns nothing if both texts are empty. Throws BadInput if both texts are given,
-// if the time is past, or if a text is no time.
+// if the time is past, or if a text is not a time.
 std::optional<Moment> end_of_time(const std::string& until, const std::string& minutes, Moment now);
 
 // Returns the local time as "2026-11-28 08:00".

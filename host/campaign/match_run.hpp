@@ -29,7 +29,7 @@ class MatchRun {
   const Job& job() const { return job_; }
   const Worker& worker() const { return *worker_; }
 
-  // Returns true when the match is decided. To be called when a descriptor of the worker is readable, and also at
+  // Returns true when the match is decided. Must be called when a descriptor of the worker is readable, and also at
   // regular times. Throws CampaignError and std::system_error.
   bool advance();
 

@@ -52,7 +52,7 @@ std::size_t size_of(const MatchResult& decided) {
   return out;
 }
 
-// Runs `work` and converts its exceptions into StoreError, also exceptions for contents that are damaged.
+// Runs `work` and converts its exceptions, including those for damaged contents, into StoreError.
 template <class Impl, class Work>
 auto guarded(Impl& parts, Work work) {
   const auto about = [&](const SQLite::Exception& error) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stores the fixtures and the documents of a study in a file of results. Prepares a stored match for a replay: from the
-// present files if the files are unchanged, otherwise from copies of the stored documents.
+// current files if the files are unchanged, otherwise from copies of the stored documents.
 #pragma once
 
 #include <cstdint>
@@ -105,7 +105,7 @@ Job in_copies(Job job, const std::filesystem::path& root, const std::filesystem:
 // leads to a copy. An absolute name in a document leads to the original file.
 class DocumentCopies {
  public:
-  // Writes the copies. A document without content becomes a link to the present file. Throws std::system_error. Throws
+  // Writes the copies. A document without content becomes a link to the current file. Throws std::system_error. Throws
   // std::invalid_argument for paths that this program never stores: a path that is relative or not normal, and a path
   // below the path of another document.
   explicit DocumentCopies(std::vector<Document> documents);

@@ -206,8 +206,8 @@ void check_known(const Node& node, const std::string& what, const std::vector<st
   }
 }
 
-// Of several keys of a map that may have only one of them, returns the key that --set or an extending document has laid
-// over the others. Returns null if all keys have the same source.
+// Chooses among keys of which a map may have only one. Returns the key that --set or an extending document has laid
+// over the other keys, or null if all keys have the same source.
 const Node::Entry* laid_over(const Node& node, const std::vector<const Node::Entry*>& keys) {
   const auto by_option = [](const Node::Entry* each) { return each->value.where().is_laid(); };
   const auto here = [&](const Node::Entry* each) { return each->value.where().file == node.where().file; };

@@ -54,10 +54,10 @@ class Body {
   void thaw(double time);
 
   bool fallen(double time) const { return time < up_at_; }
-  // Seconds until the end of the robot's present attempt to get up. The robot does not know whether the attempt fails.
+  // Seconds until the end of the robot's current attempt to get up. The robot does not know whether the attempt fails.
   double time_until_up(double time) const;
   bool kicking() const { return kick_.has_value(); }
-  // Shirt number of the teammate that the present kick is meant for; 0 = nobody.
+  // Shirt number of the teammate that the current kick is meant for; 0 = nobody.
   int receiver() const { return kick_ ? kick_->request.receiver : 0; }
   int falls() const { return falls_; }
 

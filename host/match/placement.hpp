@@ -51,7 +51,7 @@ inline Vector penalty_mark(const config::FieldSize& field, double end) {
 // direction of attack, robots with odd numbers are on the left, robots with even numbers on the right.
 mind::Pose start_pose(const config::FieldSize& field, double direction, int number, int team_size);
 
-// Returns the pose of a robot after a penalty: in the own half, level with the penalty mark, on the touch line that is
+// Returns the pose of a robot after a penalty: in its own half, level with the penalty mark, on the touch line that is
 // farther from the ball. If another robot is there, the pose moves along the line, first away from the ball. robots,
 // self: as for free_spot(). gap: least distance from other robots.
 mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball, int self,

@@ -126,7 +126,7 @@ void append_footer_fields(std::string& to, std::uint64_t summary_start, std::uin
 // Returns whether the bytes are well-formed UTF-8 (RFC 3629, section 4), as MCAP requires for names and metadata.
 bool is_utf8(std::string_view bytes);
 
-// Thrown for bytes that are no valid record. A caller that knows the file and the position throws an Error instead.
+// Thrown for bytes that are not a valid record. A caller that knows the file and the position throws an Error instead.
 struct Malformed {
   std::string why;
 };

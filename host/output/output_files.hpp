@@ -20,7 +20,8 @@ namespace regista::output {
 
 class OutputFiles {
  public:
-  // Takes the files that the given options of a command name, also files in values of --set. work: noun for messages:
+  // Takes the files that the given options of a command name, including files in values of --set. work: noun for
+  // messages:
   // "match".
   OutputFiles(const std::vector<GivenOption>& given, std::string work);
 

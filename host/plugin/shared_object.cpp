@@ -198,7 +198,7 @@ int shared_mappings() {
 std::string left_running(int threads_before, int mappings_before) {
   // The robots of a match would share this memory: their processes are copies of the process that opens the file.
   if (shared_mappings() > mappings_before) return "maps memory that processes share when it is opened";
-  // Waits, because the kernel may list an ended thread for a moment.
+  // Waits, because the kernel may still list a thread that has just ended.
   for (int i = 0; std::max(1, running_threads()) > threads_before; ++i) {
     if (i == 20) return "starts a thread when it is opened";
     ::usleep(5000);

@@ -207,7 +207,7 @@ Child Child::copy(const Setting& setting, const std::function<int()>& work) {
   const pid_t process = forked();
   if (process != 0) return Child(process);
   if (!become_child(setting, parent)) ::_exit(never_began);
-  // noexcept: an exception of `work` ends this process, and does not reach the caller of copy().
+  // With noexcept, an exception of `work` ends this process and does not reach the caller of copy().
   ::_exit([&]() noexcept { return work(); }());
 }
 

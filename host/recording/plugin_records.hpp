@@ -84,7 +84,7 @@ class DrawnLayers {
   static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
 
   std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and number - 1
-  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the present call
+  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the current call
   std::vector<Change> changes_;
   texts::JsonText json_;
 };

@@ -270,9 +270,9 @@ auto reading(const std::filesystem::path& file, const std::string& what, Read re
   throw mcap::Error(file, "is damaged: " + what + " cannot be read");
 }
 
-// The present drawing of a layer may be minutes old, because only changes are recorded. Of thousands of messages only
-// the last one of each layer counts. Therefore the class keeps messages as text and parses only the last ones
-// completely. DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
+// The present drawing of a layer may be minutes old, because only changes are recorded. Only the last of thousands of
+// messages counts for each layer. So the class keeps messages as text and parses only the last ones completely.
+// DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
 class DrawingsOfRobot {
  public:
   explicit DrawingsOfRobot(const RobotName& robot) : robot_(robot) {}

@@ -366,8 +366,8 @@ class StudyWriter {
     return out;
   }
 
-  // Returns the document with the new names of its files, also in values of match documents and of a sweep. The entry
-  // `played_with` gets the present inputs. A repetition is compared with these inputs.
+  // Returns the document with the new names of its files, including names in values of match documents and of a sweep.
+  // The entry `played_with` gets the current inputs. A repetition is compared with these inputs.
   config::Node with_own_names(const config::Node& document) const {
     std::vector<config::Node::Entry> out;
     for (const config::Node::Entry& each : document.entries()) {

@@ -22,8 +22,8 @@
 namespace regista::study {
 namespace {
 
-// A document of a match that is not the own team's document. name: first key of its paths. inside: example of a path
-// inside it. on_side: first key of its paths in a match with the own team at home, away.
+// A document of a match that is not the document of the study's own team. name: first key of its paths. inside: example
+// of a path inside it. on_side: first key of its paths in a match with the own team at home, away.
 struct OtherDocument {
   std::string_view name, inside;
   std::array<std::string_view, 2> on_side;

@@ -95,7 +95,7 @@ struct OwnMatches {
   config::Overrides settings;  // with paths as the study's document has them; on_side() translates them for a match
 };
 
-// Makes both jobs anew, with the rules, robot and limit of `under`. Only the inputs (Job::home_inputs, ...) stay.
+// Makes both jobs again, with the rules, robot and limit of `under`. Keeps only the inputs (Job::home_inputs, ...).
 void ask_for(OwnJobs& jobs, const OwnMatches& asked, const config::MatchSettings& under,
              const std::vector<std::string>& plugins);
 

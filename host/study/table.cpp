@@ -34,7 +34,7 @@ Table::Table(const std::filesystem::path& file, Progress progress)
   csv_set_term_func(parser_.get(), [](unsigned char byte) -> int { return byte == '\n'; });
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw config::Error({name_}, "is a folder, not a table");
-  // Reading a pipe could wait for ever, and reading a device might never end.
+  // Reading a pipe could wait forever, and reading a device might never end.
   if (std::filesystem::is_other(file, ignored)) throw config::Error({name_}, "is not a regular file");
   errno = 0;
   file_.reset(gzopen(name_.c_str(), "rb"));  // gzopen also reads files that are not compressed

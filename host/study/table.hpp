@@ -49,7 +49,7 @@ class Table {
   std::string_view text(std::size_t column) const {
     return std::string_view(text_).substr(fields_[column].from, fields_[column].size);
   }
-  std::optional<double> value(std::size_t column) const;  // nothing if it is no number; may be infinite or NaN
+  std::optional<double> value(std::size_t column) const;  // nothing if it is not a number; may be infinite or NaN
   double number(std::size_t column) const;                // finite
   // A whole number from 0 to `most`, which is below 2^53; the text may be "3.0".
   std::int64_t count(std::size_t column, std::int64_t most) const;

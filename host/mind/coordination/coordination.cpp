@@ -53,7 +53,7 @@ void face_task(regista_task& task, const config::TargetRule& rule, const NamedPo
   task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
 }
 
-// A smaller move of the ball or of the robot may be noise of sensing, so it is no event.
+// A smaller move of the ball or of the robot may be noise of sensing, so it is not an event.
 constexpr double ball_moved_at_least = 0.3, pose_moved_at_least = 0.2;  // m
 // The ball counts as found again only if the robot had not seen it for this time or longer.
 constexpr double ball_missed_at_least = 1.0;  // s

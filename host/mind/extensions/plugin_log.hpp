@@ -106,7 +106,7 @@ struct DrawnShape {
   bool filled = false;
   std::uint32_t colour = 0;           // 0xRRGGBBAA; 0: the plugin chose no colour
   double width = 0.0;                 // m; 0: the plugin chose no width
-  std::vector<regista_point> points;  // field frame of the own team, m; all finite
+  std::vector<regista_point> points;  // field frame of the robot's team, m; all finite
 };
 
 struct DrawUse {  // How much one instance has drawn.

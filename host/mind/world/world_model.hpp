@@ -74,9 +74,9 @@ class DistributedWorldModel {
 };
 
 // LM and its update psi (Affinita et al. 2023): what one robot knows from its own sensors alone. The team's predictors
-// model the own pose, the ball and the obstacles ("all robots"). LocalModel converts sightings to the field frame and
-// adds the uncertainty of the own pose. The jerseys tell the team of a robot, so opponents and teammates have separate
-// models. The predictor of opponents gives both models.
+// model the robot's own pose, the ball and the obstacles ("all robots"). LocalModel converts sightings to the field
+// frame and adds the uncertainty of the own pose. The jerseys tell the team of a robot, so opponents and teammates have
+// separate models. The predictor of opponents gives both models.
 class LocalModel {
  public:
   LocalModel(const TeamPlan& plan, plugin::Predictor self, plugin::Predictor ball, plugin::Predictor opponents,
@@ -180,7 +180,7 @@ class WorldModel {
   const DistributedWorldModel& common() const { return common_; }
   const LocalModel& local() const { return local_; }
   const TeamModel& team() const { return team_; }
-  // Returns whether the own camera refutes every estimate of the ball. The ball's place in `mine` is then wrong.
+  // Returns whether this robot's camera refutes every estimate of the ball. The ball's place in `mine` is then wrong.
   bool ball_refuted() const { return ball_refuted_; }
 
  private:
