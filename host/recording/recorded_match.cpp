@@ -378,7 +378,7 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   fits_page_ = in_order_ && log_begin_ == begin && !reader.has_lz4();
 }
 
-// Converts s since the match began. Log times may count from any beginning, such as 1970.
+// Converts seconds since the match began into a log time. Log times may count from any beginning, such as 1970.
 std::uint64_t RecordedMatch::log_time(double time) const {
   const std::uint64_t away = clamped_nanoseconds(std::abs(time - begin_));
   if (time < begin_) return log_begin_ - std::min(away, log_begin_);
