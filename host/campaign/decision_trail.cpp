@@ -78,7 +78,7 @@ std::string difference(TrailReader& first, const Entry& one, TrailReader& second
     if (i < one.answers) a = first.answer();
     if (i < other.answers) b = second.answer();
     if (a == b || !out.empty()) continue;
-    // If the calls differ, names the "offer" or "withdraw": a plugin may make such a call in one of the plays only.
+    // If the two plays differ in their calls, the extra call is named: an "offer" or "withdraw" of one play only.
     const Name& name = a && (!b || a->first == b->first || is_use_of_the_host(a->first.second)) ? a->first : b->first;
     const auto& [plugin, call] = name;
     out = is_use_of_the_host(call)

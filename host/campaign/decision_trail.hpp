@@ -20,7 +20,7 @@ class TrailWriter {
  public:
   explicit TrailWriter(int descriptor) : descriptor_(descriptor) {}
   void add(const match::Decision& decision, std::span<const plugin::CallAnswer> answers);
-  void flush();  // writes the collected bytes; to be called at the end of the match
+  void flush();  // writes the collected bytes; must be called at the end of the match
 
  private:
   int descriptor_;

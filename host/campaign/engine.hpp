@@ -20,14 +20,14 @@
 
 namespace regista::campaign {
 
-// --- How the matches of a study are played and where they are stored. These options are no part of the study and may
+// --- How the matches of a study are played and where they are stored. These options are not part of the study and may
 // change between runs. Values are stored as the user typed them. Times are in the local time zone of the machine.
 
 using Moment = std::chrono::system_clock::time_point;
 
 // Returns the moment from which a study begins no more matches. until: "08:00" (the next 08:00 of the clock), or
 // "2026-11-28T08:00"; minutes: "90". Returns nothing if both texts are empty. Throws BadInput if both texts are given,
-// if the time is past, or if a text is no time.
+// if the time is past, or if a text is not a time.
 std::optional<Moment> end_of_time(const std::string& until, const std::string& minutes, Moment now);
 
 // Returns the local time as "2026-11-28 08:00".
@@ -41,21 +41,20 @@ struct Options {
   std::string notify;  // a command of the shell that runs when the study has ended
   bool resume = false, json = false, quiet = false, no_page = false;
   bool live = false;  // true: the page is also rewritten during the study
-  // What the run plays; not typed. what_is_missing: all matches that the file of results lacks. nothing_yet: no match,
-  // because the run only creates the file. nothing_more: no match, because the file holds all matches.
+  // What the run plays; not set by the user. what_is_missing: all matches that the file of results lacks. nothing_yet:
+  // no match, because the run only creates the file. nothing_more: no match, because the file holds all matches.
   enum class Plays { what_is_missing, nothing_yet, nothing_more } plays = Plays::what_is_missing;
-  std::vector<std::string> plugin_files;  // not typed: files in the folders of `plugins`
-  std::optional<Moment> end_of_time;      // not typed: check() computes this time from `until` and `minutes`
+  std::vector<std::string> plugin_files;  // set by the program: files in the folders of `plugins`
+  std::optional<Moment> end_of_time;      // set by the program: check() computes this time from `until` and `minutes`
 };
 
-// Throws BadInput for a bad option, so check() must be called before files are created. `minutes` begin at this call.
+// Throws BadInput for a bad option. Must be called before files are created. The time `minutes` begins at this call.
 void check(Options& options);
 
 // number_of_workers() and record_every() throw BadInput for a text that is no such number.
 int number_of_workers(const Options& options);
 std::uint64_t record_every(const Options& options);  // 0: only failed matches are recorded
 
-// Returns the limits that a study's document sets.
 Limits limits_of(const config::MatchSettings& settings);
 
 struct Schedule {

@@ -301,7 +301,7 @@ ForkReply answer(const ForkRequest& request, std::vector<process::FileDescriptor
     reply.state = ForkReply::State::stale;
   } catch (const Unfit&) {
     reply.state = ForkReply::State::unfit;
-  } catch (const std::exception&) {  // ignored: a newly started program will report the error
+  } catch (const std::exception&) {  // ignored: the coordinator then starts a new program, which will report the error
   }
   return reply;
 }
@@ -321,7 +321,7 @@ void ForkServer::begin() {
   try {
     server_ = process::Child::program(setting, {process::Child::this_program, {"regista", server_command}, variables});
   } catch (const std::system_error&) {
-    // Ignored: without a server, each worker is a newly started program.
+    // The error is ignored, because without a server each worker is a newly started program.
   }
 }
 

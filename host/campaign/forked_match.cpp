@@ -53,7 +53,6 @@ void pass_on(int signal_number) {
   errno = error;
 }
 
-// Does the work and returns the exit code.
 int work_in_copy(const std::function<int(WorkerNote&)>& work, Shared& shared) {
   std::signal(SIGTTOU, SIG_IGN);  // so that the copy may write to the terminal
   plugin::note_fatal_signals(shared.note.fatal);
@@ -119,13 +118,13 @@ class PassedSignals {
 // Waits for the end of the child and returns this end. too_long: receives the reason if this function kills the child.
 process::ProcessEnd watch_over(process::Child& child, const Shared& shared, const Limits& limits,
                                std::string& too_long) {
-  // Becomes readable when the process ends; -1 if the system has no such descriptors.
+  // This descriptor becomes readable when the process ends; -1 if the system has no such descriptors.
   const process::FileDescriptor end_of_it(static_cast<int>(::syscall(SYS_pidfd_open, child.process(), 0)));
   process::CallWatch<plugin::CallNote> watch({limits.processor_seconds, limits.wall_seconds});
   for (;;) {
     if (const auto end = child.look()) {
       if (!end->was_stopped()) return *end;
-      // Ctrl-Z in the terminal stops both processes, and `fg` continues both.
+      // SIGSTOP has stopped only the copy, which is killed. Ctrl-Z stops both processes, and `fg` continues both.
       if (WSTOPSIG(end->status) == SIGSTOP) {
         child.kill();
         child.wait();

@@ -34,7 +34,7 @@ void close_all_but_standard_streams() {
   for (int each = STDERR_FILENO + 1; each < 1024; ++each) ::close(each);
 }
 
-// Binds this process and its future copies to the present processor. Match and minds take turns for every decision. On
+// Binds this process and its future copies to the current processor. Match and minds take turns for every decision. On
 // two processors, each turn wakes a sleeping process, which takes longer than the decision itself. Only plays with a
 // process for each robot use this function, because otherwise all matches of a study would share a few processors.
 void stay_on_this_processor() {
@@ -83,7 +83,7 @@ class IsolatedMatch {
   IsolatedMatch(const IsolatedMatch&) = delete;
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
-  // The text for the parameter `kept` of play_isolated().
+  // Returns the text for the parameter `kept` of play_isolated().
   const std::string& kept() const { return kept_; }
 
   match::Result play() {
@@ -250,7 +250,7 @@ class IsolatedMatch {
   }
 
   // Returns the failure of a dead process. The failure names a plugin only if the process ended during a call, in the
-  // own code of the called plugin. Otherwise a thread, a timer or another plugin may be the cause.
+  // called plugin's own code. Otherwise a thread, a timer or another plugin may be the cause.
   Failure died(const Thinkers& dead, const std::string& what) {
     Failure out = noted(dead, what);
     const WorkerNote note = dead.channel.note().sound();
@@ -269,7 +269,7 @@ class IsolatedMatch {
     return failure;
   }
 
-  // Returns a failure in the present or last call of this process.
+  // Returns a failure in the current or last call of this process.
   Failure noted(const Thinkers& failed, const std::string& what) {
     const WorkerNote note = failed.channel.note().sound();
     return {number_of(failed),     note.call.plugin.data(),

@@ -33,7 +33,7 @@ struct Limits {
   // true: the robots of a team may share memory, so the minds of a team share one process in both plays.
   bool allow_shared_memory = false;
 
-  // s of processor time for the whole match (RLIMIT_CPU).
+  // Returns the limit of processor time for the whole match, s (RLIMIT_CPU).
   int match_seconds() const { return 100 * processor_seconds; }
   friend bool operator==(const Limits&, const Limits&) = default;
 };
@@ -109,12 +109,12 @@ struct MatchResult {
   std::optional<Failure> failure{};  // set for a forfeit only
   double seconds = 0.0;              // s of wall time
   std::string why_set_aside{};       // how the workers died, one line; empty unless the match was set aside
-  std::string irreproducible{};      // the first difference between two plays of this match, one line; mostly empty
-  std::string shared{};              // the plugin that used more than its own robot knows, one line; mostly empty
-  std::string broken{};              // the promise that a plugin broke under close inspection, one line; mostly empty
-  std::string kept{};      // what plugins keep outside of their instances without effect on the match; mostly empty
-  std::string unproven{};  // why the second play could not show that robots decide alone; mostly empty
-  std::string output{};    // what plugins wrote to standard error, without the middle if it was long; mostly empty
+  std::string irreproducible{};      // the first difference between two plays of this match, one line; usually empty
+  std::string shared{};              // the plugin that used more than its own robot knows, one line; usually empty
+  std::string broken{};              // the promise that a plugin broke under close inspection, one line; usually empty
+  std::string kept{};      // what plugins keep outside of their instances without effect on the match; usually empty
+  std::string unproven{};  // why the second play could not show that robots decide alone; usually empty
+  std::string output{};    // what plugins wrote to standard error, without the middle if it was long; usually empty
   bool set_aside() const { return !why_set_aside.empty(); }
   friend bool operator==(const MatchResult&, const MatchResult&) = default;
 };
@@ -130,7 +130,7 @@ struct Answer {
   };
   Kind kind = Kind::stopped;
   MatchResult decided{};
-  std::string message{};      // one line; Kind::played: the error of the recording, mostly empty
+  std::string message{};      // one line; Kind::played: the error of the recording, usually empty
   bool from_outside = false;  // Kind::failed: true if a signal that people and systems send caused the failure
 };
 

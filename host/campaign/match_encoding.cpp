@@ -103,7 +103,7 @@ class Numbers {
 };
 
 constexpr double unit = 1e6;
-constexpr double most_units = 9e15;  // a double holds whole numbers up to this limit exactly
+constexpr double most_units = 9e15;  // in millionths; a double represents whole numbers up to this limit exactly
 constexpr std::uint64_t none = 0, raw = 1, first_code = 2;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 

@@ -166,7 +166,7 @@ std::string mathematics_fingerprint() {
                                                [](double x) { return std::pow(1.0 + std::abs(x), 0.37 * x); }};
   std::vector<double> results;
   for (int i = -300; i <= 300; ++i) {
-    // `volatile`, so that the compiler does not compute the results at compile time.
+    // x is volatile, so that the compiler does not compute the results at compile time.
     volatile double x = 0.0257 * i;
     for (const Function function : functions) {
       const double value = function(x);

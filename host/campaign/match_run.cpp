@@ -246,7 +246,7 @@ void MatchRun::failed(Attempt attempt) {
         decide(forfeit(failure, 0.0));
         break;
       }
-      // The broken promise does not change the result, because other matches of the pairing are not inspected closely.
+      // A broken promise is only a remark here, because the pairing's other matches are inspected less closely.
       first_->broken = (failure.robot == 0 ? "" : place(failure)) + attempts_.back().what;
       if (limits_.allow_shared_memory)
         decide_first();
@@ -351,7 +351,7 @@ void MatchRun::recorded(const End& end, const std::optional<Answer>& answer) {
   not_recorded_.clear();
   if (answer && answer->kind == Answer::Kind::played) {
     not_recorded_ = answer->message;
-    // The match did not fail in this play, so this is the recording of another match.
+    // The match did not fail in this play, so the recording does not show the failure and is removed.
     if (decided_->failure) remove(file);
     if (decided_->failure && not_recorded_.empty()) not_recorded_ = "it did not fail where both teams share a process";
   } else if (!decided_->failure) {

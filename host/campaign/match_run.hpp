@@ -29,7 +29,7 @@ class MatchRun {
   const Job& job() const { return job_; }
   const Worker& worker() const { return *worker_; }
 
-  // Returns true when the match is decided. To be called when a descriptor of the worker is readable, and also at
+  // Returns true when the match is decided. Must be called when a descriptor of the worker is readable, and also at
   // regular times. Throws CampaignError and std::system_error.
   bool advance();
 
@@ -38,7 +38,7 @@ class MatchRun {
   int plays() const { return plays_; }  // number of plays, without plays that only record the match
   // Describes the death of a worker, if another worker then played the match to its end; otherwise empty.
   const std::string& accident() const { return accident_; }
-  const std::string& not_recorded() const { return not_recorded_; }  // why the recording is missing; mostly empty
+  const std::string& not_recorded() const { return not_recorded_; }  // why the recording is missing; usually empty
 
  private:
   // The purpose of a play. "Perturbed": in another folder, environment and date, at other addresses. With

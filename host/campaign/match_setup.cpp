@@ -46,7 +46,7 @@ double parse_limit(const std::string& text) {
   return seconds;
 }
 
-// Returns the built-in values as a document. addressed: the document has each value, for paths of --set.
+// Returns the built-in values as a document. addressed: the document names each value, so that --set can replace it.
 config::Node built_in(const config::DocumentKind& kind, const std::string& name, bool addressed) {
   const std::string key(kind.name);
   const config::Location where{fmt::format("built-in {} {}", key, name), 0, 0};

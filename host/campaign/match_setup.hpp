@@ -81,16 +81,16 @@ Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins)
 // Returns the hash of the job's common input with this name; empty if the job has no such input.
 std::string input_of(const Job& job, const std::string& name);
 
-// All inputs of a match, from the present content of the files.
+// All inputs of a match, from the current content of the files.
 struct FoundInputs {
   std::vector<Input> home, away, common;
 };
 
-// Reads the present inputs of a match. program, mathematics: hashes; root: see team_inputs().
+// Reads the current inputs of a match. program, mathematics: hashes; root: see team_inputs().
 FoundInputs inputs_of(const MatchSetup& prepared, const plugin::Catalogue& catalogue, const std::string& program,
                       const std::string& mathematics, const std::string& root = {});
 
-// Lists in words how the present inputs differ from the inputs of the job; empty if all inputs are equal.
+// Lists in words how the current inputs differ from the inputs of the job; empty if all inputs are equal.
 std::string what_changed(const Job& job, const FoundInputs& now);
 std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics, const std::string& root = {});

@@ -42,7 +42,7 @@ Failure failure_of(const plugin::Failure& failure, int side) {
   return out;
 }
 
-// Returns the failure for an exception that is no plugin::Failure.
+// Returns the failure for an exception that is not a plugin::Failure.
 Failure failure_of(const plugin::CallNote& note, int side, const char* what) {
   return {side, note.plugin.data(), note.call.data(), note.robot, note.tick, what};
 }
@@ -104,7 +104,7 @@ class MindHost {
   void remember_memory() {
     for (const void* const object : plugin::noted_objects()) memory_.emplace_back(object).remember();
   }
-  // Returns the files and variables that have changed: "greedy.so: taken, worst.so"; mostly empty.
+  // Returns the files and variables that have changed: "greedy.so: taken, worst.so"; usually empty.
   std::string kept_in_files() const {
     std::string out;
     for (const plugin::OwnMemory& each : memory_) {
@@ -131,7 +131,7 @@ class MindHost {
   texts::BytesOut out_;
 };
 
-// A global variable, because a signal handler can use only global variables.
+// This variable is global, because a signal handler can use only global variables.
 std::atomic<WorkerNote*> tries{nullptr};
 
 void note_try(const char* what) {
@@ -151,7 +151,7 @@ void answer_failed(MindChannel& channel, const Failure& failure) {
   channel.answer(Reply::failed, {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
 }
 
-// To be called in a catch clause: answers the question with the present exception as a failure.
+// Must be called in a catch clause. Answers the question with the current exception as a failure.
 void answer_what_was_thrown(MindChannel& channel, int number) {
   try {
     throw;

@@ -52,7 +52,7 @@ std::size_t size_of(const MatchResult& decided) {
   return out;
 }
 
-// Runs `work` and converts its exceptions into StoreError, also exceptions for contents that are damaged.
+// Runs `work` and converts its exceptions, including those for damaged contents, into StoreError.
 template <class Impl, class Work>
 auto guarded(Impl& parts, Work work) {
   const auto about = [&](const SQLite::Exception& error) {
@@ -253,7 +253,7 @@ bool Store::write_waiting() {
     } catch (const SQLite::Exception& error) {
       if (error.getErrorCode() != SQLITE_BUSY) {
         parts_->give_up();                                       // a retry does not help
-        parts_->lost = parts_->lost > 0 ? parts_->lost - 1 : 0;  // without the newest match, which never waited
+        parts_->lost = parts_->lost > 0 ? parts_->lost - 1 : 0;  // the newest match never waited, so it is not lost
         throw;
       }
       parts_->goes_on_waiting();  // calls go_on, which may report the lock

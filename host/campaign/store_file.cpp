@@ -28,7 +28,7 @@ constexpr int one_thread = SQLITE_OPEN_NOMUTEX;  // each database is used by one
 constexpr auto gone = "the file is no longer there, or is another one, so nothing more can be kept";
 constexpr auto overwritten = "something else has written into the file: ";
 
-// Must be called before a file is opened, because opening a pipe may wait for ever. Throws StoreRefusal.
+// Must be called before a file is opened, because opening a pipe may wait forever. Throws StoreRefusal.
 void refuse_what_is_no_file(const std::filesystem::path& file) {
   std::error_code none;
   const std::filesystem::file_status status = std::filesystem::status(file, none);
@@ -114,7 +114,7 @@ class StoreFile::Hold {
   Hold(const Hold&) = delete;
   Hold& operator=(const Hold&) = delete;
 
-  // Whether the file has the head of a file of this program ("Database File Format", sqlite.org).
+  // Returns whether the file has the head of a file of this program ("Database File Format", sqlite.org).
   bool begins_as_ours() const {
     std::array<char, head_size> head{};
     return pread(file_.number, head.data(), head.size(), 0) == head_size && is_head({head.data(), head.size()});

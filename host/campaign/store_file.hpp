@@ -94,7 +94,7 @@ class StoreFile {
   // Throws StoreGone if the file or its log was moved, deleted or replaced, or if the file is shorter than before or
   // has another head. Rows in a deleted file are lost. Rows in a deleted log are lost if this process dies.
   void require();
-  // Notes the state of the file for require(); to be called after each write. Throws StoreGone if the file or its log
+  // Notes the state of the file for require(); must be called after each write. Throws StoreGone if the file or its log
   // was moved, deleted or replaced.
   void remember();
   // Calls require() and reads the whole file. Throws StoreGone if the file is no longer a sound database.

@@ -80,7 +80,7 @@ class Packets {
   Packets(SQLite::Database& database, bool written_to) {
     if (!database.tableExists("packets")) return;
     rows_.emplace(database, "row, numbers, checksum FROM packets");
-    // REPLACE, because a program that changes the file but does not know this table may have left an old row.
+    // The statement is REPLACE: a program that changes the file but does not know this table may have left an old row.
     if (written_to) insert_.emplace(database, "INSERT OR REPLACE INTO packets(row, numbers, checksum) VALUES(?, ?, ?)");
   }
 
@@ -102,7 +102,7 @@ class Packets {
                        "packets: ", [&] { return match::MetricNumbers(names_, numbers_of(*bytes, names_->size())); });
   }
 
-  // To be called within a transaction.
+  // Must be called within a transaction.
   void write(std::int64_t row, std::string_view packed) {
     if (insert_) put(*insert_, row, Blob{packed}, checksum_of(row, packed));
   }

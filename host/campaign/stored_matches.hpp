@@ -56,7 +56,7 @@ class StoredMatches {
   // Returns the paths of all metrics in rows 1 to `rows`, each path once, in the order of first appearance.
   match::MetricPaths metric_paths(std::int64_t rows);
 
-  // Adds a match; to be called within a transaction. Throws if the key is already stored, or if the row is taken.
+  // Adds a match; must be called within a transaction. Throws if the key is already stored, or if the row is taken.
   void insert(std::int64_t row, const MatchKey& key, const MatchResult& decided, int attempts);
 
   // Copies the matches of `other` that this file lacks into the same rows, within a transaction of the caller. Refuses

@@ -137,7 +137,7 @@ std::string StoredMetrics::text_of_names(std::int64_t row, std::int64_t names) {
 
 std::int64_t StoredMetrics::number_of_names(const std::string& text) {
   if (const auto there = id_of_text(text)) return *there;
-  names_of(text);  // throws if the text is no list of names
+  names_of(text);  // throws if the text is not a list of names
   return add(text);
 }
 

@@ -61,7 +61,7 @@ class StoredMetrics {
 
   // Returns the metrics of the match in this row; empty if the match has no metrics. Throws DamagedRow.
   match::MetricNumbers read(std::int64_t row);
-  // Writes the numbers of a match. To be called within a transaction.
+  // Writes the numbers of a match. Must be called within a transaction.
   void write(std::int64_t row, const match::MetricNumbers& numbers);
 
   // The numbers of a row as stored, for a copy to another file. `frame` is valid until the next row is read. packed()
@@ -74,10 +74,10 @@ class StoredMetrics {
   Packed packed(std::int64_t row);
   // Returns the names with the id `names` as text. Throws a DamagedRow for `row` if this text is damaged or missing.
   std::string text_of_names(std::int64_t row, std::int64_t names);
-  // Returns the id of a text of names in this file; adds the text if it is new. To be called within a transaction.
-  // Throws std::invalid_argument if the text is no list of names.
+  // Returns the id of a text of names in this file; adds the text if it is new. Must be called within a transaction.
+  // Throws std::invalid_argument if the text is not a list of names.
   std::int64_t number_of_names(const std::string& text);
-  // Writes numbers of another file. names: id of their names in this file. To be called within a transaction.
+  // Writes numbers of another file. names: id of their names in this file. Must be called within a transaction.
   void write(std::int64_t row, const Packed& numbers, std::int64_t names);
 
   // Returns the paths of all metrics in rows 1 to `rows`, each once, in order of first appearance. Throws DamagedRow.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Stores the fixtures and the documents of a study in a file of results. Prepares a stored match for a replay: from the
-// present files if the files are unchanged, otherwise from copies of the stored documents.
+// current files if the files are unchanged, otherwise from copies of the stored documents.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Database;
 
 namespace regista::campaign {
 
-// A file as it was when the study began. With documents, a match can be replayed after its files were edited.
+// A file as it was when the study began. The stored content allows a replay of a match after the file was edited.
 struct Document {
   std::string path;                    // absolute
   std::optional<std::string> content;  // empty for a file that was too large, and for a shared object
@@ -105,7 +105,7 @@ Job in_copies(Job job, const std::filesystem::path& root, const std::filesystem:
 // leads to a copy. An absolute name in a document leads to the original file.
 class DocumentCopies {
  public:
-  // Writes the copies. A document without content becomes a link to the present file. Throws std::system_error. Throws
+  // Writes the copies. A document without content becomes a link to the current file. Throws std::system_error. Throws
   // std::invalid_argument for paths that this program never stores: a path that is relative or not normal, and a path
   // below the path of another document.
   explicit DocumentCopies(std::vector<Document> documents);
@@ -135,7 +135,7 @@ class StoredSetup {
 
   // Returns the changes of the files in words; empty if all files are unchanged, and so no copies were made.
   const std::string& changed() const { return changed_; }
-  // Returns the differences from the stored match that remain even with copies, in words; mostly empty.
+  // Returns the differences from the stored match that remain even with copies, in words; usually empty.
   const std::string& missing() const { return missing_; }
   // Returns whether a match can be played. This match may differ from the stored match if missing() is not empty.
   bool playable() const { return prepared_.plans[0] != nullptr; }

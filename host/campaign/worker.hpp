@@ -74,7 +74,7 @@ inline process::Limits memory_limits(const Limits& limits) { return {.memory = l
 
 // Returns the environment for programs that play matches: the environment of this process and the variables `more`
 // ("NAME=VALUE"), with a null at the end. With Pages::large, the C library also asks the system for large pages: with
-// usual pages, page faults in some megabytes of new memory took a fifth of a game's processor time
+// usual pages, page faults in some megabytes of new memory take a fifth of a game's processor time
 // (benchmarks/campaign/fork_server.py).
 enum class Pages { large, usual };
 std::vector<char*> environment_with(std::initializer_list<const char*> more, Pages pages = Pages::large);
@@ -120,7 +120,7 @@ class Worker {
   pid_t process() const { return child_.process(); }             // -1 after the worker has ended
   int output_descriptor() const { return output_pipe_.number; }  // the pipe for standard error; -1: closed
 
-  // Reads both pipes and checks the limits. Returns true when the worker has ended. To be called when a descriptor is
+  // Reads both pipes and checks the limits. Returns true when the worker has ended. Must be called when a descriptor is
   // readable, and also at regular times.
   bool advance();
 

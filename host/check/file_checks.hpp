@@ -14,7 +14,7 @@ namespace regista::check {
 
 // The contents of a shared object that can be read without running it.
 struct ObjectFile {
-  std::string wrong;  // reason why the file is no shared object of this machine, one line; empty: nothing is wrong
+  std::string wrong;  // reason why the file is not a shared object of this machine, one line; empty: nothing is wrong
   std::vector<std::string> exports;       // names of functions and data that the object offers to other objects, sorted
   std::vector<std::string> imports;       // names that the object needs from other objects, sorted, without versions
   std::vector<std::string> needs;         // names of needed libraries, such as "libm.so.6"

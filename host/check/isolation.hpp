@@ -28,7 +28,6 @@ enum class Status : std::uint8_t {
   skip    // there is nothing to check, or the result of an earlier check prevents the check
 };
 
-// "pass", "warn", "fail", "crash", "skip"
 const char* word(Status status);
 
 struct Verdict {
@@ -109,7 +108,7 @@ Outcome in_another_program(std::vector<std::string> words, const std::vector<std
 // Runs `check`. The outcome is a failure if it changes signals, locale, rounding, files or processes of this process.
 Outcome leaving_the_process_alone(const std::function<Outcome()>& check);
 
-// Starts to count allocations by operator new in this process, also those in C++ plugins. Returns a function that
+// Starts to count allocations by operator new in this process, including those in C++ plugins. Returns a function that
 // returns the count, or null if this program has a sanitizer, which allocates memory itself.
 std::size_t (*count_allocations())();
 

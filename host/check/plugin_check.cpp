@@ -84,7 +84,7 @@ std::vector<std::string> checks_of(std::int32_t kind) {
 // The checks of one file. The constructor inspects the file, and run() checks it.
 class FileCheck {
  public:
-  // note: receives a text about the present check.
+  // note: receives a text about the current check.
   FileCheck(const fs::path& file, const Options& options, const Listener& listener, Underway& note)
       : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
     report_.file = texts::visible(file.string());
@@ -340,7 +340,7 @@ class FileCheck {
     return out;
   }
 
-  // Adds the verdict of a check without a child. bars: true always adds the verdict, also if unwanted.
+  // Adds the verdict of a check that needs no child. bars: adds the verdict even if the user did not ask for the check.
   void here(const std::string& name, const std::string& promise, const Outcome& outcome, bool bars = false) {
     if (bars || is_wanted(options_.only, name)) judge(name, promise, [&] { return outcome; });
   }
@@ -372,7 +372,7 @@ class FileCheck {
     const auto began = Clock::now();
     Outcome outcome = check();
     const std::chrono::duration<double> seconds = Clock::now() - began;
-    // Names of files and messages of the loader may contain bytes that are no text.
+    // Names of files and messages of the loader may contain bytes that are not text.
     for (std::string& line : outcome.lines) line = texts::visible(line);
     report_.verdicts.push_back({plugin_, name, promise, outcome.status, std::move(outcome.lines), seconds.count()});
     if (listener_.verdict) listener_.verdict(report_.file, report_.verdicts.back());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `regista config check`, `show`, `diff`, `schema`, `reference`, `copy` and `draw`: documents, and their kinds.
+// `regista config check`, `show`, `diff`, `schema`, `reference`, `copy` and `draw`: commands for documents and their
+// kinds.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -31,7 +31,7 @@
 namespace regista::cli {
 namespace {
 
-// --- `regista report`: reports the stored results of a study, also while the study is played.
+// --- `regista report`: reports the stored results of a study, even while the study is played.
 
 constexpr auto report_examples = R"(Examples:
   regista report tournament.db

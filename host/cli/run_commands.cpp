@@ -155,7 +155,7 @@ void require_unchanged(const std::string& results, std::span<const campaign::Job
 // Continues a study on a cluster. options.file: the folder of the study.
 int go_on_with_folder(const ResumeOptions& options, const Invocation& invocation) {
   const cluster::StudyFolder folder(options.file);
-  folder.settings();  // throws if the folder is no study folder
+  folder.settings();  // throws if the folder is not a study folder
   for (const auto& [name, value] : {std::pair{"--workers", &options.workers},
                                     {"--record-every", &options.record_every},
                                     {"--until", &options.until},

@@ -242,7 +242,7 @@ std::string submit(const JobRequest& request) {
 
 std::vector<std::string> alive(const std::vector<std::string>& jobs) {
   if (jobs.empty()) return {};
-  // Without --jobs, because squeue reports an error for the number of a job that Slurm has forgotten.
+  // squeue runs without --jobs, because it reports an error for the number of a job that Slurm has forgotten.
   std::istringstream in(output_of({"squeue", "--noheader", "--me", "--format=%A %F"}));
   std::set<std::string> there;
   for (std::string number; in >> number;) there.insert(number);

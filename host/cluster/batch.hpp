@@ -47,17 +47,17 @@ Batch batch_from_json(const std::string& text);
 // --- The matches that a study still needs, given the matches in a file of results.
 
 struct Missing {
-  std::uint64_t first_row = 0;       // first row of the present round: see study::Round
-  Slices places;                     // places of the present round without a result, ascending
+  std::uint64_t first_row = 0;       // first row of the current round: see study::Round
+  Slices places;                     // places of the current round without a result, ascending
   std::vector<std::uint64_t> twice;  // the places that are played twice
-  std::uint64_t round = 0;           // number of matches in the present round
-  bool may_end_early = false;        // true: the present round may end early, see study::Round
+  std::uint64_t round = 0;           // number of matches in the current round
+  bool may_end_early = false;        // true: the current round may end early, see study::Round
   std::uint64_t seen = 0;            // number of results that the study has taken: all before the first missing match
-  bool is_first = true;              // true: the present round is the first round of the study
+  bool is_first = true;              // true: the current round is the first round of the study
   bool complete() const { return places.empty(); }
 };
 
-// Passes the stored results to the study and stores the fixtures of the study's present round. Returns at most `most`
+// Passes the stored results to the study and stores the fixtures of the study's current round. Returns at most `most`
 // places, and of equal matches only the first place. Throws campaign::StoreError, study::StudyError.
 Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t most);
 
@@ -92,7 +92,7 @@ std::vector<std::string> alive(const std::vector<std::string>& jobs);
 // Returns the waiting or running job with the name and folder of this request; empty if there is no such job. This
 // tells a caller whether the request was submitted before. Throws SlurmError.
 std::string job_of(const JobRequest& request);
-// Ends these jobs. A job that has already ended is no error. Throws SlurmError.
+// Ends these jobs. A job that has already ended is not an error. Throws SlurmError.
 void cancel(const std::vector<std::string>& jobs);
 
 // Returns whether this process belongs to one of these jobs or to a task of one of these jobs.

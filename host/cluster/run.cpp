@@ -186,7 +186,7 @@ class Follower {
     try {
       wanted = wanted || jobs_alive(progress).empty();
     } catch (const SlurmError&) {
-      // Ignored: Slurm does not answer at present, but the files still show the state.
+      // The error is ignored: Slurm does not answer at present, but the files still show the state.
     }
     if (wanted) take_step(folder_, false, invocation_);
     // The slower a step is, the longer the pause before the next step.
@@ -200,7 +200,7 @@ class Follower {
       while (!interruption.requested() && Clock::now() < until && !jobs_alive(folder_.progress()).empty())
         std::this_thread::sleep_for(300ms);
     } catch (const SlurmError&) {
-      // Ignored: opening the file of results will fail if a job still uses the file.
+      // The error is ignored: if a job still uses the file of results, opening this file will fail.
     }
   }
 

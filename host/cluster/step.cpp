@@ -281,7 +281,7 @@ std::vector<std::string> jobs_alive(const Progress& progress) {
 }
 
 void stop_study(const StudyFolder& folder) {
-  const Settings settings = folder.settings();  // throws if the folder is no study folder
+  const Settings settings = folder.settings();  // throws if the folder is not a study folder
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
@@ -309,10 +309,10 @@ void look_whether_it_is_over(const StudyFolder& folder, const results::Invocatio
                                 campaign::Journal::rollback);
         step(folder, results, false, invocation);
       }
-      // Another task may have ended meanwhile. It found the file in use, so this process gathers its matches.
+      // A task that ended meanwhile found the file of results in use, so this process gathers the task's matches.
     } while (++looks < most_looks && something_is_left());
   } catch (const campaign::StoreInUse&) {
-    // Ignored: another process takes a step at present.
+    // The error is ignored, because another process takes a step at present.
   } catch (const std::exception& error) {
     // The study continues: the next step tries again.
     command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));
@@ -320,7 +320,7 @@ void look_whether_it_is_over(const StudyFolder& folder, const results::Invocatio
 }
 
 Step take_step(const StudyFolder& folder, bool restart, const results::Invocation& invocation) {
-  folder.settings();  // throws if the folder is no study folder
+  folder.settings();  // throws if the folder is not a study folder
   campaign::Store results = opened(folder);
   require_same_results_here(folder, results, invocation);
   const auto failed = [&](const std::string& why) {

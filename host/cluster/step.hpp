@@ -18,7 +18,7 @@ struct Step {
   Gathered gathered;
   Progress progress;
   std::uint64_t submitted = 0;  // number of submitted matches
-  std::uint64_t round = 0;      // number of matches in the present round of the study
+  std::uint64_t round = 0;      // number of matches in the current round of the study
   bool plays = false;           // true: a job array waits or runs
 };
 

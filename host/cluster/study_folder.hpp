@@ -107,7 +107,7 @@ class StudyFolder {
   // Copies these files, which have absolute paths, and the running program. Throws BadInput, WriteError.
   void copy_in(const std::vector<std::filesystem::path>& files) const;
 
-  // settings() and progress() read cluster.json. Both functions throw BadInput if the folder is no study folder.
+  // settings() and progress() read cluster.json. Both functions throw BadInput if the folder is not a study folder.
   Settings settings() const;
   Progress progress() const;
   // Replace the progress or the settings in cluster.json by writing a whole new file. Both functions throw WriteError.

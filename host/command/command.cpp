@@ -42,7 +42,7 @@ Command::Command(CLI::App& app, const Command& parent, const std::string& name, 
 Command::~Command() = default;
 
 Command& Command::add(const std::string& name, const std::string& about) {
-  // At most one subcommand, so that CLI11 never reads a later word as another subcommand.
+  // Allows at most one subcommand, so that CLI11 never reads a later word as another subcommand.
   app_.require_subcommand(0, 1);
   CLI::App& app = *app_.add_subcommand(name, about);
   return *commands_.emplace_back(new Command(app, *this, name, about));

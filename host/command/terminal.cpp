@@ -28,7 +28,7 @@ namespace regista::command {
 
 namespace {
 
-// Global variables, because a signal handler can use only global variables.
+// These variables are global, because a signal handler can use only global variables.
 volatile std::sig_atomic_t request = 0;  // number of the received signal; 0: no signal
 bool listening = false;
 std::array<char, 4096> words;
@@ -108,7 +108,7 @@ Interruption::Interruption(std::string_view last_words) {
   words_size = std::min(last_words.size(), words.size());
   std::copy_n(last_words.data(), words_size, words.data());
   handle(SIGALRM, stop);
-  // SA_RESETHAND: the second signal has its default effect.
+  // With SA_RESETHAND, the second signal has its default effect: it ends the program.
   for (const int each : asking) handle(each, ask_to_stop, static_cast<int>(SA_RESETHAND));
 }
 

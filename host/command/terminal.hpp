@@ -19,7 +19,7 @@ std::size_t columns_of_output();
 // Returns whether standard error is a terminal that can erase text.
 bool can_rewrite();
 
-// Writes the text to standard error immediately. Ignores write errors, because the text is no result.
+// Writes the text to standard error immediately. Ignores write errors, because the text is not a result.
 void say(const std::string& text);
 
 // A line on standard error that is rewritten in place, at most ten times a second if due() is asked before show().
@@ -80,7 +80,7 @@ struct Interrupted : std::runtime_error {
 // Writes "regista: message" to standard error. The output is one line, even if `message` contains line breaks.
 void complain(std::string_view message);
 
-// To be called in a catch handler. Calls complain() for the handled exception and returns the exit code.
+// Must be called in a catch handler. Calls complain() for the handled exception and returns the exit code.
 int explain_current_exception();
 
 }  // namespace regista::command

@@ -49,9 +49,9 @@ struct Incident {
   std::optional<double> per_hour;  // mean number of incidents per hour at random times; missing if `at` is set
   std::optional<double> duration;  // s; missing: the incident lasts until the end of the match
   // values() in disturbance.cpp says which of the following values each kind of incident has.
-  std::optional<double> x, y;  // error of the known place, or place of the ghost ball; m, field frame of the own team
-  std::optional<double> heading;                    // error of the known heading, rad
-  std::optional<double> delay, jitter;              // fixed delay, and width of a uniform distribution that is added, s
+  std::optional<double> x, y;           // error of the known place, or place of the ghost ball; m, team's field frame
+  std::optional<double> heading;        // error of the known heading, rad
+  std::optional<double> delay, jitter;  // fixed delay, and width of a uniform distribution that is added, s
   std::optional<double> mean_good, mean_bad, loss;  // same meaning as in Burst
   std::optional<double> speed;                      // remaining share of the robot's speed
 };

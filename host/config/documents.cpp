@@ -103,7 +103,7 @@ std::span<const DocumentKind> document_kinds() {
 }
 
 const DocumentKind& kind_of(const Node& document) {
-  // The order matters: studies have keys such as `team` and `rules`, and a team has the key `roles`.
+  // Studies come first, because a study also has keys such as `team` and `rules`, which name other kinds.
   for (const DocumentKind* const kind :
        {&DocumentKind::tournament, &DocumentKind::experiment, &DocumentKind::tuning, &DocumentKind::team}) {
     if (document[kind->name]) return *kind;

@@ -17,7 +17,7 @@ namespace regista::config {
 struct Location {
   std::string file = {};
   int line = 0, column = 0;
-  // True for a value that a study lays over another document. Relative file names in it start at the current folder.
+  // True for a value that a study lays over another document. Its relative file names start at the current folder.
   bool laid = false;
   bool is_laid() const { return laid || line == 0; }
   friend bool operator==(const Location&, const Location&) = default;

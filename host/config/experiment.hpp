@@ -20,7 +20,7 @@ enum class PairedTest {
   sign_flip,  // permutation test that changes the signs of the differences
 };
 
-// The measure that the statistical test uses, and the arms that it compares. All other measures are only described.
+// The measure that the statistical test uses, and the arms that it compares. Reports only describe other measures.
 struct ExperimentPrimary {
   std::string measure;
   std::vector<Node> compare;  // each element is a list of two arm names; empty: every pair of arms

@@ -34,9 +34,9 @@ class Node {
   bool quoted() const;                          // true for a scalar in quotes, which is always text
   std::span<const Node> elements() const;       // elements of a sequence; empty for other kinds
   std::span<const Entry> entries() const;       // entries of a map in written order; empty for other kinds
-  Node operator[](std::string_view key) const;  // absent for a missing key or if this node is no map
+  Node operator[](std::string_view key) const;  // absent for a missing key or if this node is not a map
 
-  // Returns a copy in which Location::laid is true, also in all nodes inside of the copy.
+  // Returns a copy of this node and of all nodes inside, in which Location::laid is true.
   Node laid() const;
 
   // Returns whether two nodes have equal structures and texts. Ignores places, quotes and the order of keys.

@@ -32,7 +32,7 @@ Node without(const Node& map, std::string_view key) {
   return Node::map(std::move(entries), map.where());
 }
 
-// Files, each of which is followed by the file that it extends. Pairs of the name as written and the resolved path.
+// A chain of files in which each file extends the next file. Elements: the name as written, and the resolved path.
 using Chain = std::vector<std::pair<std::string, fs::path>>;
 
 Node load_over(const fs::path& file, const Location& asked_by, Chain& chain) {
@@ -343,7 +343,7 @@ std::string neighbour(const fs::path& file) {
 
 constexpr std::size_t most_files = 20'000;  // largest number of files to find; a folder may contain any number of files
 constexpr std::size_t longest_name = 4'096;  // bytes of a file name
-constexpr int most_names = 8;                // kept names of a file; a link to its own folder would give endless names
+constexpr int most_names = 8;                // names kept per file: a folder that links to itself gives endless names
 
 class Search {
  public:

@@ -62,7 +62,7 @@ Node value_at(const Node& document, std::string_view path);
 // name is written and which similar file exists. named_files() finds all files that a document needs.
 
 // Returns the whole content of a regular file of at most `largest_file` bytes. Throws Error at `asked_by` (default: at
-// the file) if the file does not exist, is too large, is unreadable, or is no regular file. `expected` describes the
+// the file) if the file does not exist, is too large, is unreadable, or is not a regular file. `expected` describes the
 // wanted kind of file in the message about a folder.
 std::string read_file(const std::filesystem::path& file, const Location& asked_by = {},
                       std::string_view expected = "a file");

@@ -326,7 +326,7 @@ bool leaves_bracket_open(std::string_view line) {
   return count('{') > count('}') || count('[') > count(']');
 }
 
-// Returns an Error at the cause of a mistake if the cause is known. yaml-cpp reports a mistake behind its cause.
+// Returns an Error at the cause of a mistake, if the cause is known: yaml-cpp reports a mistake behind its cause.
 Error explained(const YAML::ParserException& error, const Builder& builder) {
   namespace They = YAML::ErrorMsg;
   const Location found = builder.at(error.mark);

@@ -23,7 +23,7 @@ struct PredictorStudy {
   // Properties of the detections in the recording.
   struct Camera {
     double noise = 0.01;  // m, standard deviation of a detection per axis
-    // m; within this distance of the centre, a missing detection means an absent object. 0: this is unknown.
+    // Within this distance of the centre (m), a missing detection means an absent object. 0: the distance is unknown.
     double range = 0.0;
   };
 

@@ -30,7 +30,7 @@ struct Reader {
   void operator()(const Name& name) const { name.member.get() = to_name(node, what); }
   void operator()(const File& file) const {
     std::error_code none;
-    // In a saved document every name is a file name, because a saved document has no key for built-in values.
+    // A saved document leaves out the key if built-in values are used, so each name in it is a file name.
     const bool is_built_in = !file.built_in.empty() && node.text() == file.built_in && mistakes.looks_for_files() &&
                              !std::filesystem::exists(named_file(node, what), none);
     file.member.get() = is_built_in ? std::string() : file_of(node);
@@ -171,7 +171,7 @@ struct Reader {
   }
 };
 
-// A known key without a colon (`assigner {plugin`) or without a space behind it (`priority:10`). message: for the user.
+// A known key without a colon (`assigner {plugin`) or without a space after it (`priority:10`). message: for the user.
 struct Run {
   std::string key, message;
 };
@@ -206,8 +206,8 @@ void check_known(const Node& node, const std::string& what, const std::vector<st
   }
 }
 
-// Of several keys of a map that may have only one of them, returns the key that --set or an extending document has laid
-// over the others. Returns null if all keys have the same source.
+// Chooses among keys of which a map may have only one. Returns the key that --set or an extending document has laid
+// over the other keys, or null if all keys have the same source.
 const Node::Entry* laid_over(const Node& node, const std::vector<const Node::Entry*>& keys) {
   const auto by_option = [](const Node::Entry* each) { return each->value.where().is_laid(); };
   const auto here = [&](const Node::Entry* each) { return each->value.where().file == node.where().file; };
@@ -271,7 +271,7 @@ void read(const Map& map, const Node& node, const std::string& what, Mistakes& m
     mistakes.attempt(path, [&] { std::visit(Reader{value, path, mistakes}, field.kind); });
   }
   if (map.where) {
-    // If the command line chose the plugin, the Location of the map becomes that of the command line.
+    // If the command line chose the plugin, the map gets the Location of the command line.
     const Node chosen = node["plugin"];
     *map.where = chosen && chosen.where().is_laid() ? chosen.where() : node.where();
     if (mistakes.doubtful(inside(what, "plugin")) || mistakes.doubtful(inside(what, "file"))) {

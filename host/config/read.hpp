@@ -19,7 +19,7 @@ namespace regista::config {
 
 // Fills the declared object and reports every value that contradicts its declaration. `what` is the path of the map, ""
 // for the whole document. A member keeps its value if the document's value is missing or wrong. A list gets one element
-// for each element of the document's list, also for a wrong element.
+// for each element of the document's list, even for a wrong element.
 void read(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes);
 
 // Fills the declared object; throws Error at the first mistake.

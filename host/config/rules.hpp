@@ -67,7 +67,7 @@ struct Penalties {
 // The limits beyond which an action is an offence. Times in seconds, distances in metres.
 struct Offences {
   int most_in_own_goal_area = 3;                         // largest number of players of the same team
-  double leave_after_pushed_in = 5.0;                    // time to leave the own goal area after a push by an opponent
+  double leave_after_pushed_in = 5.0;                    // time to leave its own goal area after an opponent's push
   double leave_free_kick = 10.0;                         // time to move away from the ball after a free kick was called
   double fallen = 15.0;                                  // longest time on the ground
   double inactive = 10.0;                                // longest time without action

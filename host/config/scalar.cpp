@@ -27,7 +27,6 @@ bool among(std::string_view word, std::initializer_list<std::string_view> words)
   throw Error(node.where(), fmt::format("{}: {} {}", what, texts::in_quotes(node.text()), reason));
 }
 
-// Returns the number without its sign.
 std::string_view magnitude(std::string_view text) {
   if (!text.empty() && (text[0] == '+' || text[0] == '-')) text.remove_prefix(1);
   return text;

@@ -41,7 +41,7 @@ std::string described(const Node& node);
 // Throws Error at the node, "what: <described>; expected <wanted>".
 [[noreturn]] void refuse_kind(const Node& node, std::string_view what, std::string_view wanted);
 
-// Returns the elements of a list. Throws Error like refuse_kind() if the node is no list or an empty list.
+// Returns the elements of a list. Throws Error like refuse_kind() if the node is not a list or is empty.
 std::span<const Node> elements_of(const Node& node, std::string_view what, std::string_view wanted);
 
 // Returns the shortest text that to_real() reads as exactly this number.

@@ -27,7 +27,7 @@ std::string scaled_text(double value, double scale) {
     const double rounded = to_real(Node::scalar(fmt::format("{:.{}g}", exact, digits), false, {}), "");
     if (scale * rounded == value) return real_text(rounded);
   }
-  // Rounding has changed the quotient, so no number above reads as exactly `value`. A neighbour of the quotient may.
+  // `exact` is rounded, so none of the numbers above may read as exactly `value`. Then a neighbour of `exact` may.
   for (const double neighbour : {std::nextafter(exact, -INFINITY), std::nextafter(exact, INFINITY)}) {
     if (scale * neighbour == value) return real_text(neighbour);
   }

@@ -21,7 +21,7 @@ enum class Remarks { with, without };  // without: no comments, so that document
 std::string show(const Map& map, const Node& document, std::span<const PluginDeclaration> plugins,
                  Remarks remarks = Remarks::with);
 
-// Returns all values of the object as a document, also values that are defaults.
+// Returns all values of the object as a document, including defaults.
 Node values_of(const Map& declared);
 
 // Returns the text of values_of() as a document. Bytes that are not UTF-8 (in file names) become U+FFFD.

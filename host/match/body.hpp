@@ -54,10 +54,10 @@ class Body {
   void thaw(double time);
 
   bool fallen(double time) const { return time < up_at_; }
-  // Seconds until the end of the robot's present attempt to get up. The robot does not know whether the attempt fails.
+  // Seconds until the end of the robot's current attempt to get up. The robot does not know whether the attempt fails.
   double time_until_up(double time) const;
   bool kicking() const { return kick_.has_value(); }
-  // Shirt number of the teammate that the present kick is meant for; 0 = nobody.
+  // Shirt number of the teammate that the current kick is meant for; 0 = nobody.
   int receiver() const { return kick_ ? kick_->request.receiver : 0; }
   int falls() const { return falls_; }
 
@@ -77,7 +77,7 @@ class Body {
   std::uint64_t seed_;
   Side side_;
   int number_;
-  mind::Walk commanded_, walk_;  // walk_: the command that applies since the last footstep
+  mind::Walk commanded_, walk_;  // walk_: the command in force since the last footstep; commanded_: the latest command
   double speed_ = 1.0;
   bool frozen_ = false;
   double next_step_ = 0.0;  // match time of the robot's next footstep, s

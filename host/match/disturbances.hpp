@@ -64,7 +64,7 @@ class Disturbances {
   };
   struct OngoingIncident {
     config::Incident incident;
-    int object;                    // number of the incident in the names of random streams
+    int object;                    // index of the incident, used in the names of random streams
     double next = never;           // match time of the next occurrence, s
     std::uint32_t occurrence = 0;  // number of occurrences so far
     std::vector<Victim> victims;   // by robot (n - 1)

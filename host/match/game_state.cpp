@@ -83,7 +83,7 @@ void GameControllerFeed::announce(const GameState& state, double time, double de
   announcements_[static_cast<std::size_t>(last_ % kept)] = {state, time, time + delay, follows};
 }
 
-// The robot gets the last sent of all announcements that have arrived. An earlier announcement may still be on its way.
+// Of all announcements that have arrived, the robot adopts the one sent last. An older one may still be on its way.
 void GameControllerFeed::catch_up(Robot& robot, double time) const {
   if (robot.known == last_) return;
   const std::uint64_t oldest = last_ >= kept ? last_ - kept + 1 : 1;

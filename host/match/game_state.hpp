@@ -24,7 +24,7 @@ enum class Ended { no, full_time, mercy, limit };
 struct GameState {
   mind::Phase phase = mind::Phase::initial;
   mind::SetPlay set_play = mind::SetPlay::none;
-  Side kicking = Side::home;  // the side that takes the present set play; in open play: that took the last set play
+  Side kicking = Side::home;  // the side that takes the current set play; in open play: that took the last set play
   int half = 1;
   Ended ended = Ended::no;
   double phase_began = 0.0;                  // match time at which the phase or set play began, s

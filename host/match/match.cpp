@@ -309,7 +309,7 @@ void OngoingMatch::feel_contact(int id, Robot& robot) {
   robot.percepts.contact = std::atan2(way.y, way.x);
 }
 
-// Whether the image of the robot's last decision contained a sighting of the true ball.
+// Returns whether the image of the robot's last decision contained a sighting of the true ball.
 bool OngoingMatch::sees_ball(int id) const {
   const Robot& robot = robots_[at(id)];
   if (robot.percepts.balls.empty()) return false;

@@ -91,7 +91,7 @@ struct Observer {
   PhysicsLog* physics_log = nullptr;  // receives the operations on the bodies, for Replay; null: no recording
   // Whether minds that teams.hpp creates keep segments and drawings for AfterDecision (see mind::MindOptions).
   bool segments = false, drawings = false;
-  bool outcomes_alone = false;  // true: minds make only frame parts that plugins read, no others for AfterDecision
+  bool outcomes_alone = false;  // true: minds compute only frame parts that plugins read, not those for AfterDecision
   mind::LogSink log;            // receives each log line of these minds' plugins when the plugin writes it
 };
 

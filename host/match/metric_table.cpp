@@ -507,7 +507,7 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path) {
   path = without_roles(path);
-  // Looks at the rows of roles last, because a plugin's metric may have the same name as a number of a role.
+  // Role rows are searched last, because a plugin's metric may have the same name as a number of a role.
   for (const MetricRow& row : table) {
     if (row.of == Of::role) continue;
     if (path == row.name || (has_members(row) && path.starts_with(row.name + '.'))) return &row;

@@ -99,7 +99,7 @@ struct MatchMetrics {
 
 class Metrics {
  public:
-  // Arrays are by side.
+  // Arrays are indexed by side.
   Metrics(const config::Rules& rules, const std::array<config::Robot, 2>& robots,
           const std::array<std::vector<Role>, 2>& roles, const std::array<std::vector<std::string>, 2>& reasons = {},
           const std::array<std::vector<mind::TeamMetric>, 2>& plugin_metrics = {});

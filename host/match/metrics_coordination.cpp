@@ -72,7 +72,6 @@ void RoleMeasures::sent(double time) {
 void RoleMeasures::sample(std::uint32_t active) {
   ++now_.samples;
   const int robots = std::popcount(active);
-  // Agreement needs at least two active robots.
   if (robots >= 2) {
     ++now_.compared;
     if (agree(active)) ++now_.agreed;
@@ -118,7 +117,7 @@ void RoleMeasures::count_votes(std::uint32_t active) {
     if ((active >> robot & 1u) == 0) continue;
     for (int other = 0; other < team_size_; ++other) {
       const int role = assignment_[at(robot * team_size_ + other)];
-      // A negotiated assignment may give one role to two robots.
+      // A negotiated assignment may give one role to two robots, but each robot has only one vote for a role.
       if (role < 0 || last_voter_[at(role)] == robot) continue;
       last_voter_[at(role)] = robot;
       ++votes_[at(role)];

@@ -156,7 +156,7 @@ class TenureMeasures {
   TenureMetrics result() const;
 
  private:
-  struct Held {  // the present tenure of a robot
+  struct Held {  // the current tenure of a robot
     int role = -1;
     double since = 0.0;  // match time at which the tenure began, s
   };

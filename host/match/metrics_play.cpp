@@ -142,7 +142,7 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   pass_met_by(robot);
   end_duel(duels_.touched(side));
   clearances_.touched(robot);
-  // The shot has missed if the ball, for example after a goal post, was not on target before this touch.
+  // The shot has missed if the ball was not on target before this touch, for example after it hit a goal post.
   if (shot_ && !on_target(roster_.side(shot_->robot), ball_, half)) end_shot(PlayOutcome::missed);
   bool saved = false;
   if (shot_ && !on_target(roster_.side(shot_->robot), ball, half)) {

@@ -22,7 +22,7 @@ namespace regista::match {
 
 constexpr double cleared_way = 2.0;  // m towards the opponents' goal; assumption: a dribble pushes the ball less far
 
-// Detects clearances: kicks out of the own third of the field (an assumption, see metric_table.cpp).
+// Detects clearances: kicks out of the team's own third of the field (an assumption, see metric_table.cpp).
 class Clearances {
  public:
   explicit Clearances(const config::FieldSize& field) : length_(field.length) {}
@@ -242,7 +242,7 @@ class BallMeasures {
   std::array<Team, 2> teams_;
   int samples_ = 0, crowd_ = 0;
   int rest_ = 0, rests_ = 0, long_rests_ = 0, longest_rest_ = 0;
-  int resting_ = 0;  // number of samples of the present rest
+  int resting_ = 0;  // number of samples of the current rest
 };
 
 }  // namespace regista::match

@@ -79,7 +79,7 @@ void OffenceWatch::watch_bodies(const Scene& scene, const GameState& state, Robo
   }
 }
 
-// Whether the robot walks in the direction `towards` (unit vector to another robot) and not past the other robot.
+// Returns whether the robot walks towards another robot and not past it. towards: unit vector to the other robot.
 bool OffenceWatch::presses(const Scene& scene, int id, Vector towards) const {
   const Vector legs = steps_of(scene, id);
   const double against = dot(legs, towards);

@@ -73,7 +73,7 @@ class OffenceWatch {
   bool presses(const Scene& scene, int id, Vector towards) const;
   bool guards_its_goal(const Scene& scene, const GameState& state, int id) const;
   void call(int id, Offence offence, int victim = -1);
-  // Whether `moment` is at most 0.2 s ago. Box2D may part touching bodies for a step, so a contact counts for 0.2 s.
+  // Returns whether `moment` is at most 0.2 s ago: Box2D may part touching bodies for a step, so contacts count longer.
   bool recently(double moment) const { return moment >= 0.0 && time_ - moment <= 0.2; }
   Watched& of(int id) { return watched_[at(id)]; }
 
@@ -86,7 +86,7 @@ class OffenceWatch {
 
 bool counts(Offence offence);  // Whether the offence makes later penalties of the team longer.
 
-// Whether the penalised robot stays in place without moving. If false, the penalised robot leaves the field.
+// Returns whether the penalised robot stays in place without moving. If false, the penalised robot leaves the field.
 bool on_the_spot(Offence offence);
 
 // The penalised robots, their offences and their remaining penalty times. RoboCup SPL rule book 2023, section 4.2: each

@@ -292,8 +292,8 @@ void PhysicsWorld::observe() { world_->observe(); }
 
 }  // namespace regista::match
 
-// Box2D reads the clock about a hundred times a step for its own profile. This costs an eighth of a match's time. These
-// definitions replace the library's functions and read no clock. A benchmark can replace these weak definitions.
+// Box2D reads the clock about a hundred times a step for its own profile. These calls would take an eighth of a match's
+// time. These weak definitions replace the library's functions and read no clock. A benchmark can replace them.
 [[gnu::weak]] b2Timer::b2Timer() { Reset(); }
 [[gnu::weak]] void b2Timer::Reset() { m_start_sec = m_start_usec = 0; }
 [[gnu::weak]] float b2Timer::GetMilliseconds() const { return 0.0f; }

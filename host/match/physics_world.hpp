@@ -106,7 +106,7 @@ class Replay {
   std::size_t steps() const { return log_.step_ends.size(); }
   bool step();  // replays one physics step; false at the end of the log
   void run();   // replays all remaining steps
-  // The states after the last replayed step, as in the match. Only the ball's velocity lacks half of a step's friction.
+  // The states after the last replayed step, as in the match. Only the ball is faster, by half a step's friction.
   std::span<const BodyState> states();
 
  private:

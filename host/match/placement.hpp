@@ -35,7 +35,7 @@ inline bool in_centre_circle(const config::FieldSize& field, Vector at) {
   return squared_length(at) < radius * radius;
 }
 
-// Whether the whole robot is on the border strip outside the lines. A robot in a goal is not on the border strip.
+// Returns whether the whole robot is on the border strip outside the lines. A goal is not a part of the strip.
 inline bool on_border_strip(const config::FieldSize& field, Vector at, double robot_radius) {
   if (std::fabs(at.y) > field.width / 2.0 + robot_radius) return true;
   return std::fabs(at.x) > field.length / 2.0 + robot_radius && std::fabs(at.y) > field.goal_width / 2.0;
@@ -51,7 +51,7 @@ inline Vector penalty_mark(const config::FieldSize& field, double end) {
 // direction of attack, robots with odd numbers are on the left, robots with even numbers on the right.
 mind::Pose start_pose(const config::FieldSize& field, double direction, int number, int team_size);
 
-// Returns the pose of a robot after a penalty: in the own half, level with the penalty mark, on the touch line that is
+// Returns the pose of a robot after a penalty: in its own half, level with the penalty mark, on the touch line that is
 // farther from the ball. If another robot is there, the pose moves along the line, first away from the ball. robots,
 // self: as for free_spot(). gap: least distance from other robots.
 mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vector ball, int self,

@@ -90,8 +90,8 @@ inline std::uint64_t inside(const Offsets& points, const Sector& sector,
   return set;
 }
 
-// Whether a disc around one of `others` cuts the line from the apex to the offset (x, y). squared_radius: squared
-// radius of each disc. `others` may contain the observed object and the observer, which hide nothing.
+// Returns whether a disc around one of `others` cuts the line from the apex to the offset (x, y). squared_radius:
+// squared radius of each disc. `others` may contain the observed object and the observer, which hide nothing.
 inline bool hidden(float x, float y, const Offsets& others, float squared_radius) {
   const float squared = x * x + y * y, width = squared_radius * squared;
   std::uint32_t any = 0;

@@ -89,7 +89,7 @@ RobotSet Referee::playing() const {
   return everybody & ~box_.inside();
 }
 
-// Whether `duration` has passed since `moment`. A tolerance is needed, because sums of physics steps are not exact.
+// Returns whether `duration` has passed since `moment`. The tolerance exists because sums of steps are not exact.
 bool Referee::since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
 
 void Referee::note(EventKind kind, Side side, int number, Offence offence) {

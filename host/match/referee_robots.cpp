@@ -19,7 +19,7 @@ constexpr double moved = 0.25;      // m; the game is not stuck when the ball mo
 
 }  // namespace
 
-// Whether the robot touches the goal line that it defends.
+// Returns whether the robot touches the goal line that it defends.
 bool Referee::on_goal_line(int id) const {
   const double line = -direction(roster_.side(id)) * rules_.field.length / 2.0;
   return std::fabs(where(id).x - line) <= robot_radius_ + rules_.field.line_width / 2.0;
@@ -100,7 +100,7 @@ void Referee::watch_progress() {
   }
 }
 
-// Moves robots that touch the place of the ball: the kicking side just off the ball, others to set_play_distance.
+// Moves robots that touch the ball's place: the kicking side's just off the ball, others to set_play_distance.
 void Referee::clear_spot(Vector spot) {
   const double touching = robot_radius_ + rules_.ball.diameter / 2.0 + clearance / 2.0;
   for (int id = 0; id < roster_.count(); ++id) {

@@ -102,7 +102,7 @@ class Sensing {
 
   double head_ = 0.0, wanted_head_ = 0.0, head_time_ = 0.0;  // yaw, wanted yaw (rad); time of the last update, s
   double head_cosine_ = 1.0, head_sine_ = 0.0;
-  // State at the present decision:
+  // State at the current decision:
   Sector sector_;
   Offsets robots_;
   Candidates candidates_;

@@ -38,7 +38,7 @@ class Decompressor {
  public:
   Decompressor();
   // Replaces `to` by the content of the frames. Throws Malformed unless the content has exactly `size` bytes. Memory is
-  // allocated only if the frames are long enough to contain so many bytes.
+  // allocated only if the frames are long enough to contain `size` bytes.
   void decompress(std::string_view frames, std::uint64_t size, std::string& to);
 
  private:
@@ -123,10 +123,10 @@ void append_data_end(std::string& to, std::uint32_t checksum);
 // Appends the footer without its checksum. The caller must append the checksum, which also covers the appended bytes.
 void append_footer_fields(std::string& to, std::uint64_t summary_start, std::uint64_t summary_offset_start);
 
-// Whether the bytes are well-formed UTF-8 (RFC 3629, section 4), as MCAP requires for names and metadata.
+// Returns whether the bytes are well-formed UTF-8 (RFC 3629, section 4), as MCAP requires for names and metadata.
 bool is_utf8(std::string_view bytes);
 
-// Thrown for bytes that are no valid record. A caller that knows the file and the position throws an Error instead.
+// Thrown for bytes that are not a valid record. A caller that knows the file and the position throws an Error instead.
 struct Malformed {
   std::string why;
 };

@@ -13,7 +13,7 @@
 
 namespace regista::mcap {
 InputFile::InputFile(std::filesystem::path path) : path_(std::move(path)) {
-  // O_NONBLOCK, because otherwise the opening of a pipe without a writer would wait for ever.
+  // O_NONBLOCK is set, because otherwise the opening of a pipe without a writer would wait forever.
   descriptor_ = ::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) throw Error(path_, "cannot be opened: " + reason(errno));
   struct stat about {};

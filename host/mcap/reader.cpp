@@ -83,7 +83,7 @@ void Reader::select(Selection selection) {
   wanted_.clear();
   for (const auto& [id, channel] : channels()) note_wanted(channel);
   chunks_.clear();
-  // If the summary names no channels, only earlier chunks of the file define the channels of a chunk.
+  // If the summary names no channels, a chunk must be read after earlier chunks, which may define its channels.
   const bool by_time = selection_.by_time && !channels().empty();
   if (summary_) {
     for (const ChunkIndex& chunk : summary_->chunks) chunks_.emplace_back(by_time ? chunk.first_time : 0, &chunk);

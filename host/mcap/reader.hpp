@@ -9,7 +9,7 @@
 //
 // If the file has an intact summary, the reader uses the summary and skips chunks without selected messages. A crash or
 // a full disk leaves a file without a summary: the reader reads this file up to its last complete record. The reader
-// does not trust lengths in the file, but checks that the file contains so many bytes.
+// does not trust lengths in the file, but checks that the file contains the bytes.
 #pragma once
 
 #include <cstddef>
@@ -49,8 +49,8 @@ class Reader {
   // metadata, all schemas and channels. Larger items are an Error. Sorting uses at most 8 * most_bytes.
   explicit Reader(const std::filesystem::path& file, std::size_t most_bytes = largest_record);
 
-  // Whether the file has a usable summary. If so, all channels and metadata are known from the beginning. Otherwise,
-  // only the channels and metadata before the position of next() are known.
+  // Returns whether the file has a usable summary. If so, all channels and metadata are known from the beginning.
+  // Otherwise, only the channels and metadata before the position of next() are known.
   bool indexed() const { return summary_.has_value(); }
   const std::map<ChannelId, Channel>& channels() const { return definitions_.channels(); }
   const std::vector<Metadata>& metadata() const { return metadata_; }

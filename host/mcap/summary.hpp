@@ -43,7 +43,7 @@ struct Summary {
   std::uint64_t data_end = 0;  // offset of the record that ends the messages
 };
 
-// Whether the file ends with a footer, as a finished file does.
+// Returns whether the file ends with a footer, as a finished file does.
 bool has_footer(const InputFile& file);
 
 // Returns the summary of a file with a footer; nothing if the file has no summary, or if some messages are not in the

@@ -260,7 +260,7 @@ void Mind::Impl::decide_to_send(const Percepts& percepts, Outcome& out) {
   }
   mailboxes.load(send_decision.granted, out.packet);
   own_sent_at = now;
-  // Decodes the own packet, because all robots' common worlds must contain the same rounded values.
+  // Decodes this robot's own packet, because all robots' common worlds must contain the same rounded values.
   const std::optional<Report> decoded = decode(out.packet, limits, segments);
   assert(decoded);
   if (decoded) world.hear(*decoded, now);

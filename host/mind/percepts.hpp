@@ -60,12 +60,12 @@ enum class SetPlay { none, kick_off, kick_in, goal_kick, corner_kick, pushing_fr
 struct GameTold {
   Phase phase = Phase::initial;
   SetPlay set_play = SetPlay::none;
-  bool own_kick = false;  // the own team takes the present set play; without a set play: took the last set play
+  bool own_kick = false;  // the robot's team takes the current set play; without a set play: took the last set play
   int half = 1;
   int own_score = 0, opponent_score = 0;
   double phase_time = 0.0;                             // time since the phase or set play began, s
   double half_time_left = 0.0, match_time_left = 0.0;  // s
-  int packets_left = 0;                                // number of packets that the own team may still send
+  int packets_left = 0;                                // number of packets that the robot's team may still send
   std::uint32_t own_penalised = 0;                     // bit n - 1: robot n is penalised
   std::uint32_t opponent_penalised = 0;
 };

@@ -18,7 +18,7 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   // Finds a plugin and checks the values of its parameters.
   const auto part = [&](const config::PluginUse& use, int kind, unsigned subject = 0) {
     Part out{nullptr, {}, use};
-    // An earlier mistake has already reported a plugin without a name or with a doubtful place.
+    // A plugin without a name or with a doubtful place was reported with an earlier mistake.
     if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
     mistakes.attempt("", [&] {
       out.found = &catalogue.find(use, kind, subject);

@@ -119,7 +119,8 @@ class TeamPlan {
   // In the order of Team::contexts: the highest priority comes first.
   const std::vector<ContextPlan>& contexts() const { return contexts_; }
 
-  // First the behaviours of roles, each once, in the order of the table of roles; then the team's other behaviours.
+  // Returns first the behaviours of roles, each once, in the order of the table of roles, then the team's other
+  // behaviours.
   const std::vector<BehaviourPlan>& behaviours() const { return behaviours_; }
   // Index into behaviours(): the behaviour of a robot without a role.
   std::size_t behaviour_without_role() const { return behaviour_without_role_; }

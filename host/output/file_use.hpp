@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a command uses a file that an option names: it reads or writes a file of some kind. Only from these declarations,
-// output_files.hpp decides which files may be overwritten. A test requires a declaration for every option with a value.
+// How a command uses a file that an option names: it reads or writes a file of some kind. output_files.hpp decides by
+// these declarations alone which files may be overwritten. A test requires a declaration for every option with a value.
 #pragma once
 
 #include <string>

@@ -34,7 +34,7 @@ fs::path absolute_path(const fs::path& named) {
   return error ? named : out;
 }
 
-// Returns the path with all links resolved, also links to a file that does not exist yet.
+// Returns the path with all links resolved, including links to a file that does not exist yet.
 fs::path where_it_leads(const fs::path& named) {
   std::error_code error;
   fs::path path = absolute_path(named);
@@ -141,8 +141,8 @@ void OutputFiles::write_beside(const fs::path& results, bool page, bool figures)
     outputs_.push_back({"the log of --results", Place(results.string() + each), Writes::results});
   folders_.push_back({"the recordings of --results", Place(study::recording_folder(results)), recording_endings});
   if (!page) return;
-  // This class accepts an existing file that is no page of Regista. The code that writes the page does not replace such
-  // a file, and complains.
+  // This class accepts an existing file that is not a page of Regista. The code that writes the page does not replace
+  // such a file, and complains.
   outputs_.push_back({"the page of --results", Place(study::page_file(results)), Writes::results});
   if (figures) write("the figures of --results", study::figure_folder(results), Writes::figures);
 }

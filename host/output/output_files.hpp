@@ -20,8 +20,7 @@ namespace regista::output {
 
 class OutputFiles {
  public:
-  // Takes the files that the given options of a command name, also files in values of --set. work: noun for messages:
-  // "match".
+  // Takes the files that the given options of a command name, and files in values of --set. work: noun for messages.
   OutputFiles(const std::vector<GivenOption>& given, std::string work);
 
   // Adds files that the command reads although no option names them.

@@ -70,7 +70,7 @@ struct OwnKind {
   std::string_view advice = {};     // advice for messages, in addition to "--force replaces it"
 };
 
-// Returns the kind of a written file. Precondition: the file is no folder and no file of results.
+// Returns the kind of a written file. Precondition: the file is neither a folder nor a file of results.
 OwnKind own_kind(Writes what);
 
 // The content of an existing file, compared with a kind.
@@ -86,9 +86,9 @@ Found found_in(const std::filesystem::path& file, const OwnKind& kind);
 
 enum class Existing { refused, replaced };
 
-// Writes the whole file. Throws BadInput if the file exists and may not be replaced (the message names --force), is no
-// ordinary file, cannot be created, or if HTML or SVG would replace a file that is no markup. Throws WriteError if the
-// content cannot be stored, for example on a full disk.
+// Writes the whole file. Throws BadInput if the file exists and may not be replaced (the message names --force), is not
+// an ordinary file, cannot be created, or if HTML or SVG would replace a file that is not markup. Throws WriteError if
+// the content cannot be stored, for example on a full disk.
 void write_whole(const std::filesystem::path& file, std::string_view bytes, Existing existing);
 
 struct NewFile {

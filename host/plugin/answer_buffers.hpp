@@ -70,7 +70,7 @@ class GuardedValue {
   T* data() { return reinterpret_cast<T*>(begin()); }
   const T* data() const { return reinterpret_cast<const T*>(begin()); }
 
-  // Restores the pattern.
+  // Restores the guard pattern.
   void mend() {
     Guard::draw(bytes_.data(), Guard::before);
     Guard::draw(begin() + sizeof(T), Guard::margin);

@@ -81,12 +81,12 @@ class DeclaredReads {
   std::vector<regista_task> tasks_;
 };
 
-// --- Records of plugin calls: a note of the present call (CallNote), and a trail with the answer of each call.
-// The note may be in memory that another process reads. If the process of a match dies, the process that started it
-// reads there which plugin was working. The trail has each answer as one number. Two plays of the same match have equal
+// --- Records of plugin calls: a note of the current call (CallNote), and a trail with the answer of each call. The
+// note may be in memory that another process reads. If the process of a match dies, the process that started it reads
+// there which plugin was working. The trail has each answer as one number. Two plays of the same match have equal
 // arguments up to the first answer that differs. The plugin of this answer depends on more than its arguments.
 
-// A note of the present or last call. Consists of plain bytes. If all bytes are zero, no plugin has been called yet.
+// A note of the current or last call. Consists of plain bytes. If all bytes are zero, no plugin has been called yet.
 struct CallNote {
   std::array<char, 64> plugin{};   // id of the plugin, cut if it is too long; ends with a zero
   std::array<char, 16> call{};     // name of the call, such as "assign"; ends with a zero

@@ -33,7 +33,7 @@ class Catalogue {
   static Catalogue of_files(std::span<const std::filesystem::path> files, Looking looking);
 
   // Returns the folders to search: `options` (of `--plugins DIR`), the folders in the variable REGISTA_PLUGIN_PATH
-  // (separated by colons; null: not set), and the built-in folder. Throws config::Error if an option is no folder.
+  // (separated by colons; null: not set), and the built-in folder. Throws config::Error if an option is not a folder.
   static std::vector<std::filesystem::path> search_path(std::span<const std::filesystem::path> options,
                                                         const char* environment_variable_value,
                                                         const std::filesystem::path& built_in);

@@ -40,7 +40,7 @@ constexpr TableCheck check_of() {
           }};
 }
 
-// By kind; kind 0 does not exist.
+// The checks of the call tables, by kind (REGISTA_KIND_*). Kind 0 does not exist.
 constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
     TableCheck{0, nullptr},
     check_of<regista_predictor, &regista_predictor::predict, &regista_predictor::correct, &regista_predictor::absorb,

@@ -85,7 +85,7 @@ class OwnMemory {
   explicit OwnMemory(const void* inside);
 
   const std::filesystem::path& file() const { return file_; }  // file of the object
-  // Stores the present content of the memory. change() compares the memory with it.
+  // Stores the current content of the memory. change() compares the memory with it.
   void remember();
   // A byte that has changed since remember(): virtual address in the ELF file; whether its variable is thread-local.
   struct Change {

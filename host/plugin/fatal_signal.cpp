@@ -127,7 +127,7 @@ _Unwind_Reason_Code look_at_frame(_Unwind_Context* frame, void* raw) {
   return --walk.left > 0 ? _URC_NO_REASON : _URC_END_OF_STACK;
 }
 
-// Notes the object of the first stack word that is an address in a stored object, because this word is mostly a return
+// Notes the object of the first stack word that is an address in a stored object, because this word is usually a return
 // address. note_place() needs this if the walk finds no caller, for example after a jump to an address without code.
 // The kernel copies the stack, because a read beyond the end of the stack would crash.
 void look_through_stack(std::uintptr_t stack, FatalNote& note) {

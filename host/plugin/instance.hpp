@@ -172,7 +172,7 @@ class alignas(64) Instance {
   void begin(const char (&name)[Size]) {
     static_assert(Size <= std::tuple_size_v<decltype(CallNote::call)>);
     CallNote& note = *note_;
-    // Mostly the note is already about this instance, because most calls follow a call of the same instance.
+    // Usually the note is already about this instance, because most calls follow a call of the same instance.
     if (note.instance != this) {
       note.plugin = noted_id_;
       note.instance = this;

@@ -100,18 +100,18 @@ class Predictor {
  public:
   static constexpr std::uint32_t track_capacity = 64;
 
-  // Throws Failure if the plugin is no predictor or cannot model environment.subject.
+  // Throws Failure if the plugin is not a predictor or cannot model environment.subject.
   explicit Predictor(std::shared_ptr<Instance> instance);
 
-  // Moves the estimate `dt` > 0 seconds ahead. motion: motion of the own body since the last call, in the robot frame
-  // at the last call; null for a model of a teammate. last: frame of the last decision; null before the first decision.
+  // Moves the estimate `dt` > 0 seconds ahead. motion: the robot's motion since the last call, in the robot frame at
+  // the last call; null for a model of a teammate. last: frame of the last decision; null before the first decision.
   void predict(double dt, const regista_motion* motion, const regista_frame* last);
   void correct(std::span<const regista_measurement> measurements, const regista_visible_area& area);
   // Uses the tracks in a teammate's packet, `age` >= 0 seconds old. The plugin predicts these tracks to the present.
   void absorb(std::span<const regista_track> tracks, double age);
-  // Returns the present estimate, valid until the next call. Checks: numbers are finite; |heading| <= pi; covariances
-  // are positive semi-definite; weights are in (0, 1]; ages are >= 0; a model of self has one track, labelled with the
-  // own number; the ball's best hypothesis is first; teammates are in ascending order; labels of opponents are unique.
+  // Returns the current estimate, valid until the next call. Checks: numbers are finite; |heading| <= pi; covariances
+  // are positive semi-definite; weights are in (0, 1]; ages are >= 0; a model of self has one track, labelled with its
+  // number; the ball's best hypothesis is first; teammates are in ascending order; labels of opponents are unique.
   std::span<const regista_track> tracks();
 
  private:

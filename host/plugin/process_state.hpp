@@ -90,7 +90,6 @@ struct ProcessState {
   bool has_children = false;
 };
 
-// Returns the number of threads of this process.
 int running_threads();
 int interval_timers();  // number of interval timers that will send a signal, without timers of timer_create()
 

@@ -134,8 +134,8 @@ bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
   return false;
 }
 
-// Returns whether the descriptor is in another shared object than the function `entry`: then two files would be one
-// plugin. Returns false for memory outside of all shared objects, because the file itself has allocated this memory.
+// Returns whether the descriptor is in another shared object than `entry`: such a plugin would consist of two files.
+// Returns false for memory outside of all shared objects, because the file itself has allocated this memory.
 bool lies_elsewhere(const void* descriptor, const void* entry) {
   Dl_info there{}, here{};
   return ::dladdr(descriptor, &there) != 0 && ::dladdr(entry, &here) != 0 && there.dli_fbase != here.dli_fbase;
@@ -198,7 +198,7 @@ int shared_mappings() {
 std::string left_running(int threads_before, int mappings_before) {
   // The robots of a match would share this memory: their processes are copies of the process that opens the file.
   if (shared_mappings() > mappings_before) return "maps memory that processes share when it is opened";
-  // Waits, because the kernel may list an ended thread for a moment.
+  // Waits, because the kernel may still list a thread that has just ended.
   for (int i = 0; std::max(1, running_threads()) > threads_before; ++i) {
     if (i == 20) return "starts a thread when it is opened";
     ::usleep(5000);
@@ -360,7 +360,7 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
 void look_at_each(std::span<const fs::path> files, std::vector<ScannedFile>& out) {
   const Looked looked = look_at(files, 0, out);
   if (looked == Looked::at_all) return;
-  // Does not examine a file again at which the child hung, so that the user waits only once.
+  // Does not examine again the file at which the child hung, so that the user waits only once.
   const auto hung = looked == Looked::until_one_that_hung
                         ? std::ranges::find_if(out, [](const ScannedFile& each) { return !each.refusal.empty(); })
                         : out.end();

@@ -207,7 +207,7 @@ Child Child::copy(const Setting& setting, const std::function<int()>& work) {
   const pid_t process = forked();
   if (process != 0) return Child(process);
   if (!become_child(setting, parent)) ::_exit(never_began);
-  // noexcept: an exception of `work` ends this process, and does not reach the caller of copy().
+  // With noexcept, an exception of `work` ends this process and does not reach the caller of copy().
   ::_exit([&]() noexcept { return work(); }());
 }
 
@@ -256,7 +256,7 @@ std::optional<ProcessEnd> Child::look() { return process_ == -1 ? std::nullopt :
 ProcessEnd Child::wait() { return *reaped(0); }
 
 void Child::kill() const {
-  // Kills the process itself, too, because it may not be in its group yet, or not any more.
+  // Kills the process itself, too, because the process may not have joined its group yet, or may have left it.
   if (process_ == -1) return;
   ::kill(-process_, SIGKILL);
   ::kill(process_, SIGKILL);

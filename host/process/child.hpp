@@ -89,7 +89,7 @@ class Child {
   // Starts a copy of this process that runs `work`. The copy then ends immediately with the returned exit code, without
   // destructors. Precondition: `work` needs no other threads of this process. Throws std::system_error.
   static Child copy(const Setting& setting, const std::function<int()>& work);
-  // The exit code of a copy that could not start its work because of a system limit, mostly the limit of open files.
+  // The exit code of a copy that could not start its work because of a system limit, usually the limit of open files.
   static constexpr int never_began = 127;
 
   struct Program {

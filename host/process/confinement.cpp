@@ -57,7 +57,7 @@ constexpr Refused always_refused[] = {
     {SYS_mq_open, objects},
 };
 
-// Global, because a signal handler gets no arguments from the host.
+// This variable is global, because a signal handler gets no arguments from the host.
 std::atomic<void (*)(const char*)> report{nullptr};
 
 void refuse(int, siginfo_t* about, void* context) {
@@ -113,7 +113,7 @@ class Filter {
   std::vector<sock_filter> code_;
 };
 
-// Global, because functions of the C library get no arguments from the host.
+// This variable is global, because functions of the C library get no arguments from the host.
 std::atomic<std::int64_t> earlier{0};  // s
 
 }  // namespace

@@ -108,7 +108,7 @@ bool receive_with_files(int socket, T& message, std::vector<FileDescriptor>& fil
   return receive_bytes(socket, std::as_writable_bytes(std::span<T, 1>(&message, 1)), files);
 }
 
-// A lock on a whole file between processes, also on several machines. The lock (fcntl, F_OFD_SETLK) is on one byte of
+// A lock on a whole file between processes, even on several machines. The lock (fcntl, F_OFD_SETLK) is on one byte of
 // the open file, a byte that SQLite never locks ("File Locking And Concurrency", sqlite.org). flock() is not used: some
 // network file systems treat both kinds of locks as equal, so flock() would block SQLite's own locks there.
 enum class FileLock { shared, exclusive };
@@ -122,8 +122,8 @@ void unlock_file(int descriptor);
 
 // Returns a nameless memory file of zeros, which is closed at exec. Throws std::system_error.
 FileDescriptor shared_file(std::size_t bytes);
-// Maps a file into memory. Throws std::system_error, also if the file is no memory file (only memory may be written to)
-// or too short (a write beyond its end would raise a signal).
+// Maps a file into memory. Throws std::system_error, also if the file is not a memory file (only memory may be written
+// to) or too short (a write beyond its end would raise a signal).
 void* map_shared_file(const FileDescriptor& file, std::size_t bytes);
 // Maps memory that copies of this process share. It has no file, so a limit on file sizes has no effect. Throws
 // std::system_error.

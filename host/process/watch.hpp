@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Watches another process: its processor time and memory, its idle time, the duration of its present call, its output.
+// Watches another process: its processor time and memory, its idle time, the duration of its current call, its output.
 #pragma once
 
 #include <sys/types.h>
@@ -39,7 +39,7 @@ struct CallLimits {
 
 enum class Exceeded { nothing, processor_time, wall_time };
 
-// Checks whether the present call in a process exceeds its limits. The owner calls look() from time to time. Call: a
+// Checks whether the current call in a process exceeds its limits. The owner calls look() from time to time. Call: a
 // type whose values identify a call and differ from one call to the next.
 template <class Call>
 class CallWatch {
@@ -60,7 +60,7 @@ class CallWatch {
     if (working && processor - processor_then_ > limits_.processor_seconds) return Exceeded::processor_time;
     return Exceeded::nothing;
   }
-  // Returns the time since the first look at the present call, s.
+  // Returns the time since the first look at the current call, s.
   double wall_seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
   // Starts the measurement again. Must be called while no call with a time limit is in progress.
   void pause() {

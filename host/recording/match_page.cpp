@@ -18,7 +18,7 @@ std::optional<std::string> match_page(std::string_view viewer, std::string_view 
   if (at_name == std::string_view::npos || at_recording == std::string_view::npos || at_recording < at_name) return {};
   std::string out;
   out.reserve(viewer.size() + recording.size() / 3 * 4 + 1000);
-  // The mark comes after the declaration of the encoding, because browsers look for it in the first bytes.
+  // The mark comes after the declaration of the encoding, because browsers look for the declaration in the first bytes.
   const std::size_t head = viewer.find(head_begin), at_mark = head < at_name ? head + head_begin.size() : at_name;
   out += viewer.substr(0, at_mark);
   if (at_mark < at_name) out += mark;

@@ -22,7 +22,7 @@ using texts::JsonText;
 
 constexpr int game_steps = match::physics_steps_per_second / 10;
 constexpr double belief_period = 0.5;  // s
-// s; an unchanged decision is written again after this time, because its matrix may have changed.
+// An unchanged decision is written again after this time (s), because its matrix may have changed.
 constexpr double decision_period = 5.0;
 
 std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
@@ -181,7 +181,7 @@ struct MatchRecording::Impl {
         robots[i].beliefs.id = writer.add_channel("/belief" + whose, "json", belief);
       }
     }
-    // The file must have its metadata even after a crash in the first seconds, so they are written outside of chunks.
+    // Metadata are written outside of chunks, because a crash in the first seconds loses the chunk in memory.
     writer.write(mcap::Metadata{match_metadata_name, match_metadata(setup)});
   }
 

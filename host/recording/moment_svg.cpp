@@ -103,7 +103,7 @@ Html believed(const RecordedWorld& world, const RecordedPose& own, const Recorde
                  to.y(world.ball->y))
         << label(to.x(world.ball->x), to.y(world.ball->y) - 9.0, "age", fmt::format("ball, {:.1f} s", world.ball->age));
   }
-  // The ghost is the robot at the pose that it believes to have.
+  // The ghost shows the robot at the pose that the robot believes it has.
   return out << robot_shape(own, team.robot_radius, robot.side, robot.number, "ghost mate itself", to) << "</g>"_html;
 }
 

@@ -100,7 +100,7 @@ void write(texts::JsonText& json, const SegmentRecord& record) {
     json.key("sender").integer(event.sender).key("sent").number(event.time_sent);
     json.key("heard").number(event.time_heard);
     if (event.place >= 0) json.key("at").integer(event.at);
-    // The record of a known offer contains the bytes. Here they are needed only for an unknown offer.
+    // The record of a known offer has the bytes already, so this record needs them only for an unknown offer.
     if (record.handle == 0 && event.place >= 0) json.key("bytes").word(hexadecimal(event.bytes));
   }
 }

@@ -33,8 +33,8 @@ struct LastDecision {
 // Finds the offer to which a heard segment belongs. A packet contains places and bytes, but no handles of offers.
 class SentSegments {
  public:
-  // Returns the handle that the offering robot gave to the offer of this event; 0 if the offer is not known or missing.
-  // The caller must pass every event of every mind in the order of time.
+  // Returns the handle that the offering robot gave to the offer of this event; 0 if there is no offer or the offer is
+  // not known. The caller must pass every event of every mind in the order of time.
   std::uint64_t follow(match::Side side, int robot, const mind::SegmentEvent& event);
 
  private:
@@ -84,7 +84,7 @@ class DrawnLayers {
   static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
 
   std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and number - 1
-  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the present call
+  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the current call
   std::vector<Change> changes_;
   texts::JsonText json_;
 };

@@ -270,9 +270,9 @@ auto reading(const std::filesystem::path& file, const std::string& what, Read re
   throw mcap::Error(file, "is damaged: " + what + " cannot be read");
 }
 
-// The present drawing of a layer may be minutes old, because only changes are recorded. Of thousands of messages only
-// the last one of each layer counts. Therefore the class keeps messages as text and parses only the last ones
-// completely. DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
+// The present drawing of a layer may be minutes old, because only changes are recorded. Only the last of thousands of
+// messages counts for each layer. So the class keeps messages as text and parses only the last ones completely.
+// DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
 class DrawingsOfRobot {
  public:
   explicit DrawingsOfRobot(const RobotName& robot) : robot_(robot) {}
@@ -378,7 +378,7 @@ RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
   fits_page_ = in_order_ && log_begin_ == begin && !reader.has_lz4();
 }
 
-// Converts s since the match began. Log times may count from any beginning, such as 1970.
+// Converts seconds since the match began into a log time. Log times may count from any beginning, such as 1970.
 std::uint64_t RecordedMatch::log_time(double time) const {
   const std::uint64_t away = clamped_nanoseconds(std::abs(time - begin_));
   if (time < begin_) return log_begin_ - std::min(away, log_begin_);

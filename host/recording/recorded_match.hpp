@@ -156,8 +156,8 @@ class RecordedMatch {
   double end() const { return end_; }
   // Describes where the file is cut off or damaged; empty for an undamaged file.
   const std::string& damage() const { return damage_; }
-  // Whether the viewer's page can read the file: messages are in the order of time, log times count from the beginning
-  // of the match, and no chunk uses LZ4. Files that another program wrote anew may not fit.
+  // Returns whether the viewer's page can read the file: messages are in the order of time, log times count from the
+  // beginning of the match, and no chunk uses LZ4. A file that another program has rewritten may not fit.
   bool fits_page() const { return fits_page_; }
   // Writes a copy that fits. Throws mcap::Error; also if a chunk is damaged. The copy of a cut-off file is cut off,
   // too.

@@ -119,7 +119,7 @@ bool fits(const mcap::Pairs& about, const RecordingIdentity& match) {
          says_team(about, "home", match.labels[0]) && says_team(about, "away", match.labels[1]);
 }
 
-// Returns the score at the end of a complete recording. Only events show goals of the last tenth of a second.
+// Returns the score at the end of a complete recording. States come ten times a second, so the last goals need events.
 std::optional<std::array<int, 2>> last_score(mcap::Reader& reader) {
   const mcap::Statistics* const statistics = reader.statistics();
   if (statistics == nullptr) return std::nullopt;

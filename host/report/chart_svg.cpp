@@ -83,7 +83,8 @@ Html way_within(const std::vector<Spot>& spots, const Box& box) {
   return out;
 }
 
-// Returns the corners of a shape around 0, whose half height is about 1. The lines of a cross end in the centre.
+// Returns the corners of a shape with its centre at 0 and a half height of about 1. A cross is drawn through its
+// centre.
 std::vector<Spot> corners_of(Shape shape) {
   if (shape == Shape::triangle) return {{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}};
   if (shape == Shape::square) return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};
@@ -242,7 +243,7 @@ class Painter {
   void panel(const Panel& of, Box box, bool first) {
     Scale x;
     std::vector<Tick> x_ticks;
-    // The first round measures how far the last tick's text leaves the chart. The second round shortens the axis.
+    // The first round measures how far the last tick's text exceeds the chart. The second round shortens the axis.
     for (const bool known : {false, true}) {
       if (known && !x_ticks.empty()) {
         const Tick& last = x_ticks.back();

@@ -81,7 +81,7 @@ std::string mean_text(const ExperimentView& view, std::size_t condition) {
   return rounded(mean.mean, half_width(mean.interval));
 }
 
-// Returns whether the means have this order. A comparison uses only pairs with two values, a mean also other pairs.
+// Returns whether the means have this order. They may not: a mean uses all pairs, a comparison only complete pairs.
 bool means_agree(const ExperimentView& view, const std::vector<std::size_t>& order) {
   const std::size_t measure = *study::primary_measure(view.plan);
   return std::ranges::is_sorted(order, [&](std::size_t a, std::size_t b) {

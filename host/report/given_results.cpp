@@ -38,7 +38,7 @@ std::string elo_text(const Team& team) {
 
 std::uint64_t unsigned_count(statistics::Count count) { return static_cast<std::uint64_t>(count); }
 
-// Returns a sentence that says on which units the margins are based.
+// Returns a sentence that says whether the margins are based on pairs, on single games, or on both.
 std::string basis(const RankedResults& ranking) {
   if (ranking.pairs == 0) return "Margins hold with 95 % if all games are independent: the results name no pairs.\n";
   if (2 * ranking.pairs == ranking.games) return "Margins hold with 95 % and count pairs.\n";
@@ -133,7 +133,7 @@ std::string counts_text(const SequentialTestOfCounts& result) {
   if (result.ratio.method == statistics::Method::closed_form) {
     out += "The bounds are out of reach of such scores: the LLR is an approximation.\n";
   }
-  // If all units are even, the sentence of what_the_test_rests_on() already says so.
+  // If all pairs or games are even, the sentence of what_the_test_rests_on() already says why there is no interval.
   const std::string why = result.law.uneven() > 0 ? why_no_interval(result.law) : "";
   for (const std::string& sentence : {why, what_the_test_rests_on(result.law)}) {
     if (!sentence.empty()) out += sentence + '\n';

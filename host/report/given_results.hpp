@@ -41,12 +41,12 @@ std::string counts_json(const SequentialTestOfCounts& test);
 struct RankedResults {
   struct Team {
     std::string name;
-    std::optional<statistics::Estimate> elo;  // missing if the results do not determine it; sum 0 in each group
+    std::optional<statistics::Estimate> elo;  // missing: not determined by the results; the sum in a group is 0
     double points = 0.0;
     statistics::Count games = 0;
     std::size_t group = 0;
   };
-  // By group; the best first: by Elo, or by share of points without Elo. Ties and groups are in the order of the file.
+  // A group's teams are together, best first: by Elo or, without Elo, by share of points. Ties keep the file's order.
   std::vector<Team> teams;
   statistics::Count games = 0, pairs = 0;
   std::vector<std::string> remarks;  // sentences

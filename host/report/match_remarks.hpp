@@ -67,8 +67,8 @@ std::string packets_clause(const study::PacketsSpent& packets);
 // Returns {"per_match", "share", "overspent"}; null without shorter games.
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets);
 
-// --- The number of pairs. The number may be too small for a verdict. A clock may end a study, or a user may add pairs
-// after seeing the results. Tests and intervals of scores depend on uneven pairs, in which one team has more points.
+// --- Sentences about the number of pairs: too few pairs for a verdict, a clock that ended the study, pairs that a user
+// added after seeing the results. A test of scores needs uneven pairs: pairs in which one team has more points.
 
 // "5 pairs cannot give a verdict: at least 6 are needed"; empty for enough pairs and for a sequential test.
 std::string too_few_pairs(const study::TournamentPlan& plan);

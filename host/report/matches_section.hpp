@@ -92,7 +92,7 @@ struct MatchesOnPage {
   FindReplay replay;
 };
 
-// Returns a file name in a form that a command does not take for an option, also if the name begins with -.
+// Returns a file name in a form that a command does not take for an option, even if the name begins with -.
 std::string as_argument(const std::string& path);
 
 Section matches_section(const MatchList& matches, const MatchesOnPage& page);

@@ -178,7 +178,7 @@ Html figures_html(const Figures& wanted, const PageFigures& figures) {
     const Figure* const found = find(figures.all, each);
     if (found != nullptr && each != figures.lead) shown.push_back(found);
   }
-  // Figures are beside each other in twos. A last figure without a neighbour fills the width of the page.
+  // Two figures share a row. A last figure without a neighbour fills the width of the page.
   const std::size_t beside = wanted.style == Figures::Style::beside ? shown.size() / 2 * 2 : 0;
   Html pairs, out;
   for (std::size_t i = 0; i < beside; ++i) pairs << figure_html(*shown[i], half_page_width);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The report of any study: lines while the study is running, and then an outline (outline.hpp), a table and figures. A
-// report owns its study and the plan. The report of a study is the same after the last match and from a file.
+// report owns its study and the plan. A study that was just played and its file of results give the same report.
 #pragma once
 
 #include <cstdint>
@@ -92,7 +92,7 @@ class StudyReport {
   virtual std::string end_table() const { return {}; }
   virtual std::string summary_table() const { return {}; }  // a short table of the findings; empty: no such table
 
-  // A caller makes a page by begin_page(), take() for each match, end_page(). A page needs at least the fingerprint.
+  // To make a page, call begin_page(), take() for each match, end_page(). take() computes at least the fingerprint.
   virtual campaign::Metrics page_metrics() const { return study().metrics(); }
   virtual void begin_page(const std::filesystem::path& /*results*/) {}
   virtual void take(const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {

@@ -54,7 +54,7 @@ Table compared(const TournamentView& view, const MatchNumbers& numbers, const ch
   return out;
 }
 
-// What the rows of a table of teams and measures are. The columns are then the measures or the teams.
+// Rows::teams: a table has teams in rows and measures in columns. Rows::measures: the other way round.
 enum class Rows { teams, measures };
 Table means_of(const TournamentView& view, const MatchNumbers& numbers, std::size_t teams, Rows rows, const char* title,
                const std::vector<Measure>& measures) {

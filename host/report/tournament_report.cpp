@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns the ascending indices (in the schedule) of the matches for which a recording file exists. Reads no such file.
+// Returns the ascending indices (in the schedule) of matches with a recording file. Does not read these files.
 std::vector<std::uint64_t> recorded(const fs::path& results) {
   std::vector<std::uint64_t> out;
   for (const std::uint64_t row : numbered_files(study::recording_folder(results), ".mcap")) {

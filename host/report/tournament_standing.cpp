@@ -161,7 +161,8 @@ void add_others(const Meeting& meeting, const Strength& known, Section& lines, T
              "both lost · lost and drawn · even · won and drawn · both won, for tests on scores"});
 }
 
-// Adds the pairing of two teams. A terminal shows the lines of fastchess; a page explains the same numbers in tables.
+// Adds the pairing of two teams. A terminal shows lines as the chess program fastchess prints them, a page shows
+// tables.
 void add_meeting(const TournamentView& view, Section& out) {
   const Meeting& meeting = view.course.meetings().front();
   const std::optional<Strength> known = strength(view.course, meeting);

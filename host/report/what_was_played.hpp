@@ -43,7 +43,7 @@ struct WhatWasPlayed {
   std::string folder;                   // folder in which the study was begun
   std::vector<std::string> plugins;     // folders of --plugins
   std::vector<campaign::Input> inputs;  // all inputs, each once
-  std::string document;                 // document of the study with all values, also defaults; empty for a match
+  std::string document;                 // document of the study with all values, including defaults; empty for a match
   std::vector<std::string> changed;     // result of not_as_before()
   bool may_end_by_the_clock = false;    // true: a clock may end the study, so another machine may play other matches
 };

@@ -48,7 +48,6 @@ campaign::MatchResult play_by_workers(const StoredMatch& stored, campaign::Job j
 // Returns whether both matches have the same hash, were forfeited by the same side, or could not be played.
 bool came_out_alike(const campaign::MatchResult& stored, const campaign::MatchResult& now);
 
-// The options of `regista match`.
 struct MatchOptions : campaign::MatchRequest {
   std::vector<std::string> set, plugins;  // --set and --plugins as typed
   std::string decisions, record, metrics, from, row;

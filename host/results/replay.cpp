@@ -284,7 +284,7 @@ bool replay_telling(const StoredResults& results, std::size_t matches, const Inv
 
 namespace {
 
-// Opens only regular files, because reading a pipe could wait for ever.
+// Opens only regular files, because reading a pipe could wait forever.
 bool is_our_page(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;

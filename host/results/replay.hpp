@@ -91,7 +91,7 @@ struct Replay {
   bool same = true;    // true: the replay equals the stored match
   bool played = true;  // false: an existing recording was used
   std::string words;   // for the user: "row 17: a 3:1 b, the same match"
-  std::string remark;  // names changes of program or plugins since the study; mostly empty
+  std::string remark;  // names changes of program or plugins since the study; usually empty
 };
 
 enum class Recorded { used, played_again };  // used: an existing recording is shown; played_again: a new recording

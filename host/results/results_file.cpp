@@ -262,7 +262,7 @@ std::vector<campaign::Job> first_jobs(study::Study& study) {
       throw Known();
     });
   } catch (const Known&) {
-    // The exception ends the study after its first round.
+    // Known was thrown only to end the study after its first round.
   }
   return out;
 }
@@ -271,7 +271,7 @@ std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, s
   const auto place = static_cast<std::int64_t>(row);
   if (auto found = store.row(place)) return found;
   // Equal matches share one row, so the match of this row may be stored in another row. Only the study knows which
-  // match belongs to a row. The matches of a round are known only after the results of earlier rounds.
+  // match belongs to a row, and it plans a round from the results of earlier rounds. So the study runs until this row.
   struct Known {};
   std::optional<campaign::Job> job;
   try {
@@ -281,7 +281,7 @@ std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, s
       if (here || !study::answer_from(store, round, study.metrics())) throw Known();
     });
   } catch (const Known&) {
-    // The exception ends the study: the match was found, or results of its round are missing.
+    // Known was thrown only to end the study: the match was found, or results of its round are missing.
   }
   if (!job) return std::nullopt;
   const std::string key = campaign::fixture_key(job->home_inputs, job->away_inputs, job->common_inputs);
@@ -366,8 +366,8 @@ class StudyWriter {
     return out;
   }
 
-  // Returns the document with the new names of its files, also in values of match documents and of a sweep. The entry
-  // `played_with` gets the present inputs. A repetition is compared with these inputs.
+  // Returns the document with the new names of its files, including names in values of match documents and of a sweep.
+  // The entry `played_with` gets the current inputs. A repetition is compared with these inputs.
   config::Node with_own_names(const config::Node& document) const {
     std::vector<config::Node::Entry> out;
     for (const config::Node::Entry& each : document.entries()) {

@@ -63,7 +63,7 @@ struct StudyKind {
                              const plugin::Catalogue& catalogue)>
       plan;
   // Returns the report of a plan. Its study has not run yet. store: the results of the study; null: no results yet.
-  // Throws std::invalid_argument if the text is no plan of this kind, and campaign::StoreError.
+  // Throws std::invalid_argument if the text is not a plan of this kind, and campaign::StoreError.
   std::function<std::unique_ptr<report::StudyReport>(const std::string& plan, const campaign::Store* store,
                                                      report::CommandOf again)>
       report;
@@ -90,7 +90,7 @@ struct StudyKind {
 
 // --- Kinds of documents for commands: the kinds of config and the documents of all kinds of studies.
 
-// Returns the kind of study that a document describes; null if the document is no study.
+// Returns the kind of study that a document describes; null if the document is not a study.
 const StudyKind* study_asked(const config::Node& document, std::span<const StudyKind> kinds);
 
 std::vector<config::DocumentKind> document_kinds(const Invocation& invocation);

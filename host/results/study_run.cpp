@@ -99,7 +99,6 @@ class StudyProgress {
   void note(const std::string& line) {
     if (wanted_) command::say(line + '\n');
   }
-  // Removes the block from the terminal.
   void clear() {
     if (lines_ == 0) return;
     command::say(fmt::format("\x1b[{}F\x1b[J", lines_));

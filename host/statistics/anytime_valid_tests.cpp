@@ -39,7 +39,7 @@ PlugInStake::PlugInStake(double alpha, double variance)
 }
 
 double PlugInStake::next() const {
-  // Counts the expectation as an additional first value of 1/2 with the expected variance.
+  // The expected variance counts like the squared deviation of one earlier value.
   const double t = static_cast<double>(count_ + 1);
   const double variance = (expected_variance_ + squares_) / t;
   return std::sqrt(log_level_ / (variance * t * std::log1p(t)));
@@ -95,7 +95,7 @@ void BettingGrid::add(double value) {
   stake_.learn(x);
   sum_ += x;
   ++values_;
-  // ln 2: each gambler began with half of the capital. Evidence falls from both ends of the grid to the mean.
+  // ln 2, because each gambler began with half of the capital. Evidence falls from the ends of the grid to the mean.
   const double enough = std::numbers::ln2 - std::log(design_.alpha);
   while (first_ < last_ && capitals_[static_cast<std::size_t>(first_)].log_above() >= enough) ++first_;
   while (first_ < last_ && capitals_[static_cast<std::size_t>(last_)].log_below() >= enough) --last_;

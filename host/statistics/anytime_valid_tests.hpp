@@ -96,7 +96,7 @@ class BettingTest {
   enum class Finding { none, below, above };  // where the true mean is from the tested mean; none: undecided
   // A finding never changes. If the true mean equals the tested mean, a finding has a probability of at most alpha.
   Finding finding() const { return finding_; }
-  // Returns ln of the present evidence, which is half of the larger capital. The test rejects the mean at ln(1/alpha).
+  // Returns ln of the current evidence, which is half of the larger capital. The test rejects the mean at ln(1/alpha).
   double log_evidence() const;
   double p() const;  // p value, valid at any time: min(1, 1 / the largest evidence so far)
 

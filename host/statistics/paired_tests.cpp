@@ -63,7 +63,7 @@ WholeLaw sum_of(const WholeLaw& law, const WholeLaw& other, std::int64_t step) {
   return out;
 }
 
-// Returns the counts of the values in units of 1/2, or nothing if a value is no multiple of 1/2.
+// Returns the counts of the values in units of 1/2, or nothing if a value is not a multiple of 1/2.
 std::optional<WholeCounts> in_halves(std::span<const double> values) {
   constexpr double most = 1e6;
   WholeCounts out;

@@ -31,7 +31,7 @@
 namespace regista::study {
 namespace {
 
-// The findings of a copy of this process, in memory that both processes share. Real documents need much shorter arrays.
+// The findings of a copy of this process, in memory that both share. The arrays are longer than a document needs.
 struct SceneFindings {
   std::array<char, 4096> idle{}, without_waypoints{};  // for each utility term: 1 (true) or 0
   std::array<mind::ContextFinding, 512> contexts{};

@@ -39,7 +39,7 @@ Contrast contrast_of(const ExperimentPlan& plan, const Experiment& course, std::
   return out;
 }
 
-// Sets the test results of the family. The plan fixes the number of tests, so a test without a p-value counts as p = 1.
+// Tests all members of `family`. The plan fixes the number of tests, so a test without a p-value counts as p = 1.
 void test_all(const std::vector<std::pair<Tested*, Contrast>>& family, const ExperimentPlan& plan) {
   std::vector<double> tested, without;
   for (const auto& [of, contrast] : family) {

@@ -65,7 +65,7 @@ class Experiment final : public Study {
   const PacketsSpent& packets(std::size_t condition) const { return conditions_[condition].packets; }
   const ForfeitList& forfeits() const { return forfeits_; }  // teams: the conditions, then the opponent
   const MatchRemarks& remarks() const { return remarks_; }
-  // By pair: whether a match of the pair could not be played.
+  // For each pair, whether a match of the pair could not be played.
   const std::vector<bool>& unplayed(std::size_t condition) const { return conditions_[condition].unplayed; }
   std::uint64_t unplayed_pairs(std::size_t condition) const;
   std::uint64_t unplayed_pairs() const;  // sum over all conditions

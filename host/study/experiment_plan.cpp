@@ -24,7 +24,7 @@
 namespace regista::study {
 namespace {
 
-// Whether all numbers of the plan are in the ranges that class Experiment needs.
+// Returns whether all numbers of the plan are in the ranges that class Experiment needs.
 bool sound(const ExperimentPlan& plan) {
   if (plan.ended_after && (*plan.ended_after == 0 || *plan.ended_after > plan.pairs)) return false;
   return plan.pairs > 0 && !plan.measures.empty() && plan.conditions.size() == plan.arms() * plan.values() &&

@@ -103,7 +103,7 @@ std::vector<campaign::Store::Fixture> fixtures(const ExperimentPlan& plan);
 // The name of a condition: "events", or "events at 0.2" in a sweep.
 std::string label(const ExperimentPlan& plan, std::size_t condition);
 
-// Whether both conditions have the same inputs, byte by byte. Such conditions have the same result in every match.
+// Returns whether both conditions have the same inputs, byte by byte, and so the same result in every match.
 bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison);
 
 const char* name(PairTest test);

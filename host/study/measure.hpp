@@ -20,8 +20,8 @@
 
 namespace regista::study {
 
-// A number with its path (match/metric_table.hpp): "striker.overlap_seconds", "packets_by_reason.role_changed". If only
-// roles have a number, such as "overlap_seconds", its path without a role stands for the sum over all roles.
+// A number with its path (match/metric_table.hpp): "striker.overlap_seconds", "packets_by_reason.role_changed". If a
+// number exists only for roles, such as "overlap_seconds", its path without a role names the sum over all roles.
 struct NamedValue {
   std::string path;
   double value;
@@ -32,11 +32,11 @@ std::vector<NamedValue> metric_values(const match::MetricNumbers& metrics, int s
 std::vector<NamedValue> metric_values_of_match(const match::MetricNumbers& metrics);
 std::vector<NamedValue> all_metric_values(const match::MetricNumbers& metrics, int side);
 
-inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // for a pair that lacks the measure
+inline constexpr double no_value = std::numeric_limits<double>::quiet_NaN();  // value of pairs that lack the measure
 
 inline constexpr std::array<const char*, 4> measures_of_score{"goals", "goals_against", "goal_difference", "points"};
 
-// Whether match::metric_table() lists the measure as a time, such as "striker.overlap_seconds".
+// Returns whether match::metric_table() lists the measure as a time, such as "striker.overlap_seconds".
 bool is_time(std::string_view measure);
 
 // Returns "min per 60 min" for a time, "per match" for any other measure.
@@ -72,7 +72,7 @@ class MatchMeasures {
 // Why the matches of a study do not have this metric, in words; empty if they have the metric.
 std::string why_missing(std::string_view metric, bool short_games);
 
-// Whether a team spent over 1.05 times its share. A smaller excess may come from a game that ends between packets.
+// Returns whether a team spent over 1.05 times its share. A game that ends between packets may cause a small excess.
 inline bool is_overspent(double over, double share) { return over > 0.05 * share && over > 0.0; }
 
 // The packets of one team in one game: number sent, and the team's share of the budget.
@@ -99,7 +99,7 @@ class PacketsSpent {
   std::int64_t games() const { return spent_.count(); }
   double spent() const { return spent_.mean(); }
   double share() const { return share_.mean(); }
-  // Whether the team overspent on average. Uses the mean of `over`, because spent() - share() is rounded differently.
+  // Returns whether the team overspent on average, by the mean of `over`: spent() - share() is rounded differently.
   bool overspent() const { return is_overspent(over_.mean(), share_.mean()); }
 
  private:
@@ -126,7 +126,7 @@ class ForfeitList {
   // Undoes the last add(). Precondition: that call had the same team and failure.
   void take_back(std::size_t team, const campaign::Failure& failure);
 
-  const std::vector<Forfeits>& listed() const { return listed_; }  // one entry per reason, by first match
+  const std::vector<Forfeits>& listed() const { return listed_; }  // sorted by the reason's first match
   std::uint64_t unlisted() const { return unlisted_; }             // forfeits with a reason after the first 100 reasons
   const std::vector<std::uint64_t>& of_team() const { return of_team_; }
 

@@ -54,8 +54,8 @@ std::optional<PairP> p_of_values(std::span<const double> values, PairTest test);
 // The values of the sweep as numbers; empty if a value is not a number.
 std::vector<double> swept_numbers(const ExperimentPlan& plan);
 
-// Whether the plan's arms have trends: the sweep's values are numbers and not all equal. A single arm at two values has
-// no trend, because its trend would be the comparison of the two values.
+// Returns whether the plan's arms have trends: the sweep's values are numbers and not all equal. A single arm at two
+// values has no trend, because its trend would be the comparison of the two values.
 bool has_trends(const ExperimentPlan& plan);
 
 // The weights of the slope: the sum of weight times value is the slope. places: the values of the sweep, not all equal.

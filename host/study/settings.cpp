@@ -22,8 +22,8 @@
 namespace regista::study {
 namespace {
 
-// A document of a match that is not the own team's document. name: first key of its paths. inside: example of a path
-// inside it. on_side: first key of its paths in a match with the own team at home, away.
+// A document of a match that is not the document of the study's own team. name: first key of its paths. inside: example
+// of a path inside it. on_side: first key of its paths in a match with the own team at home, away.
 struct OtherDocument {
   std::string_view name, inside;
   std::array<std::string_view, 2> on_side;
@@ -37,7 +37,7 @@ constexpr std::array<OtherDocument, 5> documents{
 
 auto document_of(std::string_view path) { return std::ranges::find(documents, first_part(path), &OtherDocument::name); }
 
-// Whether `path` lies inside `whole`. Example: sender.params.period lies inside sender.
+// Returns whether `path` lies inside `whole`. Example: sender.params.period lies inside sender.
 bool is_inside(std::string_view path, std::string_view whole) {
   return path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
 }
@@ -163,7 +163,7 @@ campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides&
   try {
     return campaign::match_setup(request, catalogue);
   } catch (const config::Error& error) {
-    // The error's place in the study's document does not show which path was set.
+    // Finds the setting at the error's place, because the place in a document does not show which path was set.
     const auto is_of = [&error](const config::Location& where) {
       return where.line > 0 && where.line == error.where().line && where.column == error.where().column &&
              where.file == error.where().file;

@@ -60,13 +60,13 @@ std::string_view first_part(std::string_view path);
 // The settings in a map of a document. what: the map's name in messages. Throws config::Error for an impossible path.
 config::Overrides settings_of(const config::Node& set, const std::string& what);
 
-// The settings of an arm at a value of the sweep. value: its index, 0 without a sweep. If two settings have the same
-// path, the later setting applies. document: the source of `experiment`. Throws config::Error for an impossible path,
-// or for a path that both arm and sweep set.
+// The settings of an arm at a value of the sweep. value: index of the sweep's value, 0 without a sweep. If two settings
+// have the same path, the later setting applies. document: the source of `experiment`. Throws config::Error for an
+// impossible path, or for a path that both arm and sweep set.
 config::Overrides settings_of(const config::Experiment& experiment, const config::Node& document, std::size_t arm,
                               std::size_t value);
 
-// Whether a path belongs to the study's own team.
+// Returns whether a path belongs to the study's own team.
 bool is_of_own_team(std::string_view path);
 
 // on_side(): translates the paths from the study's document to a match with the own team on this side (0 home, 1 away).
@@ -81,7 +81,8 @@ std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds);
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins);
 
 // Sets up the match of a job with `settings` in place of the job's own overrides. said: the same settings with the
-// paths of the study's document, for messages. Throws config::Error with the place of the mistake in a document.
+// paths of the study's document, which error messages show. Throws config::Error with the place of the mistake in a
+// document.
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
                               const config::Overrides& said, const plugin::Catalogue& catalogue);
 
@@ -94,7 +95,7 @@ struct OwnMatches {
   config::Overrides settings;  // with paths as the study's document has them; on_side() translates them for a match
 };
 
-// Makes both jobs anew, with the rules, robot and limit of `under`. Only the inputs (Job::home_inputs, ...) stay.
+// Makes both jobs again, with the rules, robot and limit of `under`. Keeps only the inputs (Job::home_inputs, ...).
 void ask_for(OwnJobs& jobs, const OwnMatches& asked, const config::MatchSettings& under,
              const std::vector<std::string>& plugins);
 

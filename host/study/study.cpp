@@ -44,7 +44,7 @@ PlayRound where_planned(PlayRound play, const campaign::Store& store, std::uint6
   return [play = std::move(play), &store, &end](const Round& round) {
     const std::vector<std::int64_t> numbers = numbers_of(round, store);
     const auto from = static_cast<std::int64_t>(round.first_row);
-    // A row with an unwanted match is no damage: an engine may have played the match before it became unwanted.
+    // A match that the study no longer wants is not damage: it may have been played before it became unwanted.
     const auto planned = [&](std::int64_t row, const campaign::MatchKey& key) {
       const auto place = round.at(static_cast<std::uint64_t>(row - 1 - from));
       return !place || campaign::MatchKey{numbers[place->fixture], place->seed} == key;

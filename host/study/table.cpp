@@ -34,7 +34,7 @@ Table::Table(const std::filesystem::path& file, Progress progress)
   csv_set_term_func(parser_.get(), [](unsigned char byte) -> int { return byte == '\n'; });
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) throw config::Error({name_}, "is a folder, not a table");
-  // Reading a pipe could wait for ever, and reading a device might never end.
+  // Reading a pipe could wait forever, and reading a device might never end.
   if (std::filesystem::is_other(file, ignored)) throw config::Error({name_}, "is not a regular file");
   errno = 0;
   file_.reset(gzopen(name_.c_str(), "rb"));  // gzopen also reads files that are not compressed
@@ -102,7 +102,7 @@ bool Table::read_line() {
   return true;
 }
 
-// libcsv gets each field with the byte that ends it. The next field begins after that byte.
+// Passes libcsv one field at a time, with the byte that ends the field. So the next field begins after that byte.
 bool Table::read_row() {
   text_.clear();
   fields_.clear();
@@ -141,12 +141,12 @@ void Table::begin_field(std::size_t byte) {
   begun_.column = static_cast<int>(line_.find_first_not_of(" \t", byte)) + 1;
 }
 
-// Reads the next game of PGN. The headers of a game are lines without a line of another kind between them.
+// Reads the next game of a PGN file. The headers of one game are consecutive lines.
 bool Table::read_game() {
   text_.clear();
   fields_.assign(columns_.size(), {0, 0, 0, 1});
   int first = 0;  // the line of the first header
-  // The first line of the file has been read.
+  // The first header of the file has been read as the first line of the table, so it is not read again.
   for (bool more = static_cast<int>(lines_) == begun_.line || read_line(); more; more = read_line()) {
     if (line_[0] != '[' && first > 0) break;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
@@ -213,13 +213,13 @@ namespace {
 using statistics::Encounter;
 using statistics::GameOutcome;
 
-// Names of columns: of the two teams, then of the results in the order of the counts.
+// Names of a layout's columns: first the two teams, then the results in the order of the counts.
 using Layout = std::vector<std::string>;
 const Layout pairs{"first", "second", "LL", "LD", "DD", "WD", "WW"},
     games{"first", "second", "losses", "draws", "wins"}, scores{"first", "second", "score"},
     goals{"home", "away", "home_goals", "away_goals"}, chess{"White", "Black", "Result"};
 
-// The layout of a table, which has one kind of results.
+// Returns the layout whose columns of results the table has. A table has columns of results of one kind only.
 const Layout& layout_of(const Table& table) {
   const auto has = [&](const std::string& name) { return table.has_column(name); };
   std::vector<const Layout*> found;
@@ -234,9 +234,9 @@ const Layout& layout_of(const Table& table) {
 }
 
 void refuse_unknown_columns(const Table& table, Layout known) {
-  // What pandas and R call the column of the numbers of rows, and what else the table of a tournament has.
+  // Columns without results that are allowed: the row numbers of pandas and R, and columns of a tournament's table.
   static const Layout left_out{"", "row", "seed", "opening", "ended", "forfeited_by", "plugin", "call", "why"};
-  const bool of_tournament = table.has_column("state_hash");  // with metrics of any name
+  const bool of_tournament = table.has_column("state_hash");  // such a table also has columns of metrics
   if (known != pairs && known != games) known.emplace_back("pair");
   for (std::size_t i = 0; i < table.columns().size(); ++i) {
     const std::string& name = table.columns()[i];
@@ -266,7 +266,7 @@ class Reader {
       out_.encounters[key.first].games.add(*game.outcome);
       if (!alone || game.where.line < alone->line) alone = game.where;
     }
-    // A tournament that has not ended may have such a pair. Its own ranking counts the game, too.
+    // An unfinished tournament (layout `goals`) may have such a pair, and its own ranking also counts the game.
     if (alone && &layout_ != &goals) throw config::Error(*alone, "this pair has one game; expected two");
     const auto played = [](const Encounter& each) { return each.games_played() > 0; };
     if (std::ranges::none_of(out_.encounters, played)) throw config::Error({file_}, "holds no game");
@@ -332,7 +332,7 @@ class Reader {
     }
   }
 
-  // Points of the first team of the line; nothing without a result.
+  // Returns the points of the team that the line names first; nothing for a game without a result.
   std::optional<double> points() const {
     const std::string_view text = table_.text(columns_[2]);
     if (&layout_ == &goals) {
@@ -341,7 +341,7 @@ class Reader {
                          conceded = table_.count(columns_[3], statistics::most_counted);
       return scored > conceded ? 1.0 : scored < conceded ? 0.0 : 0.5;
     }
-    if (text == "*") return std::nullopt;  // PGN: not ended
+    if (text == "*") return std::nullopt;  // in PGN, a game that has not ended
     if (text == "1-0" || text == "0-1") return text == "1-0" ? 1.0 : 0.0;
     const std::optional<double> score = text == "1/2-1/2" ? 0.5 : table_.value(columns_[2]);
     if (score != 1.0 && score != 0.5 && score != 0.0)
@@ -368,9 +368,10 @@ class Reader {
       ++left_out_;
   }
 
-  // Unicode Standard Annex #15, "Unicode Normalization Forms": an accent is a part of its letter (NFC) or follows it.
+  // Remarks on names that differ only in their form of Unicode: an accent may be a part of its letter (NFC) or follow
+  // the letter (Unicode Standard Annex #15, "Unicode Normalization Forms").
   void remark_on_forms() {
-    std::map<std::string, std::string> spelled;  // by the form NFC
+    std::map<std::string, std::string> spelled;  // key: the name in the form NFC
     for (const std::string& name : out_.teams) {
       const auto* const bytes = reinterpret_cast<const utf8proc_uint8_t*>(name.c_str());
       const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> form(utf8proc_NFC(bytes), &std::free);

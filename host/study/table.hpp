@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Tables of comma-separated values as people, pandas, R and this program write them (RFC 4180), in UTF-8, plain or
-// compressed by gzip. The first line names the columns; blank lines do not count. libcsv reads the fields. It gets them
-// piece by piece, so that the place of each is known. A file of chess games is a table, too (PGN, "Portable Game
-// Notation Specification and Implementation Guide", 1994), with the headers White, Black and Result as columns.
+// Reads tables of comma-separated values as people, pandas, R and this program write them (RFC 4180), in UTF-8, plain
+// or compressed by gzip. The first line names the columns; blank lines are ignored. libcsv splits a line into fields.
+// Table passes libcsv one field at a time, to know the place of each field. A file of chess games is a table, too (PGN,
+// "Portable Game Notation Specification and Implementation Guide", 1994), with the columns White, Black and Result.
 #pragma once
 
 #include <cstddef>
@@ -29,8 +29,8 @@ using Progress = std::function<void(std::size_t lines)>;
 
 class Table {
  public:
-  static constexpr std::size_t longest_line = 65'536;     // bytes; also of a field that has several lines
-  static constexpr std::size_t most_lines = 100'000'000;  // a day of a 1 kHz camera
+  static constexpr std::size_t longest_line = 65'536;     // bytes; also the limit for a field that spans several lines
+  static constexpr std::size_t most_lines = 100'000'000;  // about the lines that a 1 kHz camera writes in a day
 
   // Opens the file and reads the names of its columns. All calls throw config::Error at the place of a mistake.
   explicit Table(const std::filesystem::path& file, Progress progress = {});
@@ -49,18 +49,18 @@ class Table {
   std::string_view text(std::size_t column) const {
     return std::string_view(text_).substr(fields_[column].from, fields_[column].size);
   }
-  std::optional<double> value(std::size_t column) const;  // nothing if it is no number; may be infinite or NaN
+  std::optional<double> value(std::size_t column) const;  // nothing if it is not a number; may be infinite or NaN
   double number(std::size_t column) const;                // finite
-  // A whole number from 0 to `most`, which is below 2^53; may be written 3.0.
+  // A whole number from 0 to `most`, which is below 2^53; the text may be "3.0".
   std::int64_t count(std::size_t column, std::int64_t most) const;
 
-  config::Location where(std::size_t column) const;  // place of the field; before next(): of the column's name
+  config::Location where(std::size_t column) const;  // place of the field or, before next(), of its column's name
   [[noreturn]] void refuse(std::size_t column, const std::string& message) const;  // throws config::Error at the field
 
  private:
   struct Field {
-    std::size_t from = 0, size = 0;  // in text_
-    int line = 0, column = 0;        // where it begins
+    std::size_t from = 0, size = 0;  // the field's position in text_
+    int line = 0, column = 0;        // position in the file at which the field begins
   };
   struct Close {
     void operator()(gzFile_s* file) const;
@@ -76,11 +76,11 @@ class Table {
   Progress progress_;
   std::unique_ptr<gzFile_s, Close> file_;
   std::unique_ptr<csv_parser, Close> parser_;
-  std::string line_;  // with its line feed
+  std::string line_;  // current line, with its line feed
   std::size_t lines_ = 0;
-  bool of_games_ = false;  // PGN
+  bool of_games_ = false;  // true: the file holds chess games (PGN)
   std::vector<std::string> columns_;
-  std::vector<Field> fields_;  // of the current row
+  std::vector<Field> fields_;  // fields of the current row
   std::string text_;           // the texts of the fields, one after the other
   Field begun_;                // the field that is being read
   bool row_ended_ = false;
@@ -91,18 +91,18 @@ class Table {
 //   first, second and     LL, LD, DD, WD, WW: counts of pairs; DD also counts a pair with one win each
 //                         wins, draws, losses: counts of games that belong to no pair
 //                         score: one game per line: 1, 0.5 or 0 points for the first team, or 1-0, 1/2-1/2 or 0-1
-//   home, away and        home_goals, away_goals: one game per line; without goals it was not played
+//   home, away and        home_goals, away_goals: one game per line; a game without goals was not played
 //   White, Black and      Result: as score; * for a game that has not ended
 //
 // Where lines are games, two lines of the same teams, in either order, with the same text in a column `pair` form a
 // pair; a game with an empty field in that column belongs to no pair. All counts are from the first team's point of
-// view. Counts of several lines with the same teams are added. Left out are other columns that `regista report --csv`
-// writes, and the index that pandas and R write.
+// view. Counts of several lines with the same teams are added. The reader ignores the other columns that `regista
+// report --csv` writes, and the index column that pandas and R write.
 
 struct ResultsOfTeams {
   std::vector<std::string> teams;                 // in the order of their first line
   std::vector<statistics::Encounter> encounters;  // one per pairing, in the order of its first line
-  std::vector<std::string> remarks;               // sentences
+  std::vector<std::string> remarks;               // sentences about games that were left out and names that look alike
 };
 
 inline constexpr std::size_t most_ranked_teams = 500;

@@ -104,7 +104,7 @@ void MetricDifference::add(double first, double second) {
 statistics::Estimate MetricDifference::estimate() const {
   const double mean = difference_.mean(), variance = difference_.variance();
   double half = std::numeric_limits<double>::infinity();
-  // The interval is made to find a mean of 1/4 standard deviation, which it does after about forty pairs.
+  // This interval finds a mean of 1/4 standard deviation fastest, after about forty pairs.
   if (variance > 0.0) {
     half = statistics::mixture_half_width({difference_.count(), variance, variance / 16.0}, alpha_);
   }
@@ -310,7 +310,7 @@ void Tournament::count_row(const Fixture& fixture, const campaign::MatchResult& 
   }
 }
 
-// Whether each pairing has a team that was set aside, so that no match is left.
+// Returns whether each pairing has a team that was set aside, so that no match is left.
 bool Tournament::nobody_is_left() const {
   return std::ranges::all_of(calendar_.pairings(), [&](const Pairing& pairing) {
     return is_set_aside(pairing.first) || is_set_aside(pairing.second);

@@ -24,7 +24,7 @@
 namespace regista::study {
 namespace {
 
-// Whether all numbers of the plan are in the ranges that class Tournament needs.
+// Returns whether all numbers of the plan are in the ranges that class Tournament needs.
 bool sound(const TournamentPlan& plan) {
   for (std::size_t i = 0; i < plan.teams.size(); ++i) {
     const bool own = !plan.asked.teams[i].disturbance.empty();
@@ -34,7 +34,7 @@ bool sound(const TournamentPlan& plan) {
   return plan.pairs() <= UINT64_MAX / 2 / plan.pairings().size() && plan.most_goals >= 1;
 }
 
-// Whether the first key of the path names a side or a document that is not a team's.
+// Returns whether the first key of the path names a side or a document that is not a team's.
 bool is_addressed(const std::string& path) {
   constexpr std::array first_parts{"home", "away", "rules", "robot", "disturbance", "opening"};
   return std::ranges::find(first_parts, first_part(path)) != first_parts.end();

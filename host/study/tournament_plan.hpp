@@ -59,7 +59,7 @@ struct Entrant {
   const std::string& shown() const { return title.empty() ? label : title; }
 };
 
-// Whether an input of a match is the disturbance of this side: 0 home, 1 away.
+// Returns whether an input of a match is the disturbance of this side: 0 home, 1 away.
 bool is_disturbance(const campaign::Input& input, std::size_t side);
 
 struct Pairing {
@@ -88,7 +88,7 @@ struct TournamentPlan {
   std::uint64_t matches() const { return 2 * pairs() * pairings().size(); }
   Objective objective() const { return objective_of(asked); }
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
-  // Whether an opening or a limit may end matches earlier than whole matches.
+  // Returns whether an opening or a limit may end matches earlier than whole matches.
   bool short_games() const { return !openings.empty() || asked.settings.limit; }
 };
 
@@ -135,7 +135,7 @@ std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan);
 // The letter of a team in the paths of --set: "a" for the first team, "b", ... "z"; empty for later teams.
 std::string letter(std::size_t team);
 
-// Whether both teams have the same inputs, byte by byte. Every pair of such teams is a draw.
+// Returns whether both teams have the same inputs, byte by byte. Every pair of such teams is a draw.
 bool equal_teams(const TournamentPlan& plan, const Pairing& pairing);
 
 inline constexpr std::uint64_t most_pairs = 10'000'000;
@@ -147,7 +147,7 @@ TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs);
 // A copy of the plan without `ended_after`: a study that a clock stopped continues until all pairs are played.
 TournamentPlan without_end(TournamentPlan plan);
 
-// The document; without pairs and test, it gets most_pairs pairs, so that only the clock ends the tournament.
+// Returns the document. Without pairs and test, it gets most_pairs pairs, so that only the clock ends the tournament.
 config::Node until_the_clock(const config::Node& document);
 
 // Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.

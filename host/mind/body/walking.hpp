@@ -67,13 +67,13 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn);
 // Converts an action to a command. plugin::Behaviour must have checked the action. A robot that kicks does not walk.
 Command carry_out(const Body& body, const regista_action& action);
 
-// --- RobotMemory remembers robots of both teams for one second, so that the own robot walks around these robots. The
-// camera misses every third robot or looks elsewhere, but a robot seen a second ago is mostly still at its place.
+// --- RobotMemory remembers robots of both teams for one second, so that this robot walks around them. The camera
+// misses every third robot or looks elsewhere, but a robot seen a second ago is usually still at its place.
 
 class RobotMemory {
  public:
   static constexpr std::size_t most = 16;
-  // `own`: frame of the own pose at the time of the percepts. touching: m between the centres of touching robots.
+  // `own`: frame of this robot's pose at the time of the percepts. touching: m between the centres of touching robots.
   void update(const Percepts& percepts, const Frame2& own, double touching);
   // Returns the remembered positions in the field frame, in the order of their last sightings.
   std::span<const Vector2d> positions() const { return {positions_.data(), count_}; }

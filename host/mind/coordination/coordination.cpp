@@ -64,9 +64,9 @@ void face_task(regista_task& task, const config::TargetRule& rule, const NamedPo
   task.before[2] = task.after[2] = facing.isZero() ? 0.0 : angle_of(facing);
 }
 
-// A smaller difference is noise of sensing, not an event.
+// A smaller move of the ball or of the robot may be noise of sensing, so it is not an event.
 constexpr double ball_moved_at_least = 0.3, pose_moved_at_least = 0.2;  // m
-// A ball that the robot did not see for a shorter time was not lost.
+// The ball counts as found again only if the robot had not seen it for this time or longer.
 constexpr double ball_missed_at_least = 1.0;  // s
 constexpr int goalkeeper = 1;                 // shirt number; the rules number the goalkeeper 1
 
@@ -197,7 +197,7 @@ const DistributedWorldModel& Coordination::world_for(config::Knowledge knowledge
   return worlds.of(knowledge);
 }
 
-// Whether the team's document allows that the task moves to a waypoint.
+// Returns whether the team's document allows that the task moves to a waypoint.
 bool Coordination::moves(const regista_task& task) const {
   return context().tasks.offset_at_most > 0.0 && plan_->roles()[static_cast<std::size_t>(task.id)].role->offset;
 }

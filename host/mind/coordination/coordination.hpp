@@ -80,7 +80,7 @@ struct ContextParts {  // The plugin instances of one context in one robot's min
 };
 
 // The two worlds of one decision, and the choice of a world for each step. The common world may count this robot as
-// inactive, for example if the robot has sent nothing for long. By the common world the robot would then get no task
+// inactive, for example if the robot has sent nothing for long. In the common world the robot would then get no task
 // and would not move. In this case every step uses the world `mine`.
 class Worlds {
  public:

@@ -62,7 +62,7 @@ struct TriedTeam {
   std::optional<DistributedWorldModel> world;
 };
 
-// Whether the assigner's answer depends on the matrix alone, according to the plugin's description.
+// Returns whether the assigner's answer depends on the matrix alone, according to the plugin's description.
 bool answers_for_itself(const Part& assigner) {
   return (assigner.found->description->assigner_flags() & REGISTA_ASSIGNER_NEGOTIATES) == 0 &&
          assigner.found->description->kinds() == std::vector<int>{REGISTA_KIND_ASSIGNER};
@@ -86,7 +86,7 @@ std::vector<std::int32_t> assigned(const TriedTeam& team, const Part& assigner, 
   return out;
 }
 
-// Whether a number added to each column of the matrix (one number for each column) ever changes the assignment.
+// Returns whether a number added to each column of the matrix (one number for each column) ever changes the assignment.
 bool heeds_columns(TriedTeam& team, const Part& assigner, const Decision& decision) {
   const std::size_t columns = decision.columns.size();
   for (int k = 0; k < matrices; ++k) {

@@ -24,7 +24,7 @@ class LeastCostAssignment {
   double solve(std::span<const double> costs, std::size_t rows, std::size_t columns);
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  // By column: the row that the last solve() gave to the column, or `none`.
+  // For each column, the row that the last solve() gave to the column, or `none`.
   std::span<const std::size_t> row_of() const { return result_; }
 
  private:

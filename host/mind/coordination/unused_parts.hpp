@@ -2,7 +2,7 @@
 // Searches for parts of a team that probably have no effect: contexts that never apply, terms of the utility that
 // change nothing, and segments that are too long for every packet. Also finds situations in which no context applies.
 // The searches call the team's plugins in made-up scenes, and so need no knowledge about the plugins. The scenes may
-// lack a situation in which a part has an effect. config::warnings() reports what the team's page alone shows.
+// lack a situation in which a part has an effect. config::warnings() reports what the team's document alone shows.
 //
 // Scenes have no packets of teammates, so the searches do not judge contexts and terms whose plugin has a mailbox. All
 // searches throw plugin::Failure if a plugin fails. Equal plans give equal findings.
@@ -25,7 +25,7 @@ namespace regista::mind {
 
 inline constexpr std::uint64_t made_up_seed = 1;  // seed of scenes and plugins
 
-// Whether the plugin has a mailbox, so that its answers may depend on packets, which a made-up scene lacks.
+// Returns whether the plugin has a mailbox, so that its answers may depend on packets, which a made-up scene lacks.
 inline bool talks(const Part& part) { return part.found->description->implements(REGISTA_KIND_MAILBOX); }
 
 // Random numbers for scenes. The standard library's distributions are not used: they differ between libraries.

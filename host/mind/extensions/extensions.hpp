@@ -64,8 +64,8 @@ struct MeantPass {
 
 // Functions that the extensions call to answer questions of plugins.
 struct Answers {
-  std::function<const Report*(int number)> packet;  // newest packet of a robot, also of the own robot; null: none
-  std::function<bool()> sees_ball;                  // whether the own camera sees the ball; see LocalModel
+  std::function<const Report*(int number)> packet;  // newest packet of a robot, which may be this robot; null: none
+  std::function<bool()> sees_ball;                  // whether this robot's camera sees the ball; see LocalModel
   std::function<regista_budget()> budget;
 };
 

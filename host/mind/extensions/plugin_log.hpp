@@ -31,7 +31,6 @@ inline std::string_view cut_text(std::string_view text, std::size_t bytes) {
   return text.substr(0, end);
 }
 
-// A line that a plugin wrote.
 struct LogLine {
   std::int32_t level = 0;   // REGISTA_LOG_*
   int side = 0;             // 0 home, 1 away
@@ -107,7 +106,7 @@ struct DrawnShape {
   bool filled = false;
   std::uint32_t colour = 0;           // 0xRRGGBBAA; 0: the plugin chose no colour
   double width = 0.0;                 // m; 0: the plugin chose no width
-  std::vector<regista_point> points;  // field frame of the own team, m; all finite
+  std::vector<regista_point> points;  // field frame of the robot's team, m; all finite
 };
 
 struct DrawUse {  // How much one instance has drawn.

@@ -15,7 +15,7 @@
 namespace regista::mind {
 namespace {
 
-// m; two tracks closer together count as one object (B-Human: 1.1 m)
+// Two tracks that are closer together than this distance (m) count as one object (B-Human: 1.1 m).
 constexpr double one_object = 1.1;
 constexpr double gate = 9.21;               // 99 % quantile of the chi-square law, two degrees of freedom
 constexpr double least_kept_weight = 0.05;  // tracks of lower weight are dropped
@@ -77,10 +77,10 @@ bool reckoned_with(const regista_robot& robot, int own) {
 
 using Vector4 = Eigen::Vector4d;
 
-// m^2; least variance of an estimate (a deviation of 1 mm), so that exact knowledge gets no infinite weight.
+// Least variance of an estimate (m^2, a deviation of 1 mm), so that exact knowledge gets no infinite weight.
 constexpr double least_variance = 1e-6;
 
-// m/s; while nobody sees the ball, robots may move the ball. So the position's deviation grows at this speed, added to
+// While nobody sees the ball, robots may move the ball. So the position's deviation grows at this speed (m/s), added to
 // the model's growth. Assumption: half a walking speed (a push of the ball); kicks are ten times faster, but rare.
 constexpr double unwatched_speed = 0.3;
 
@@ -135,7 +135,7 @@ constexpr double least_distance = 0.25;    // m; the direction of a nearer ball 
 constexpr double blocked_by = 0.3;         // m; half of a robot's width, and the same length for its uncertain position
 constexpr double known_to = 0.6;           // m; an estimate with a larger deviation is not refuted
 
-// Whether a ball at `ball` (robot frame, m) with the standard deviation `deviation` (m) is in clear view of the camera.
+// Returns whether the camera has a clear view of a ball at `ball` (robot frame, m). deviation: standard deviation, m.
 bool in_clear_view(const Vector2d& ball, double deviation, const Percepts& percepts) {
   const double distance = ball.norm();
   if (distance < least_distance || distance > well_within_range * percepts.view.ball_range) return false;

@@ -41,10 +41,10 @@ struct SenderView {
 void merge_told(std::span<const regista_track> known, std::span<const regista_track> told, const SenderView& sender,
                 std::vector<regista_track>& out);
 
-// --- The obstacle model of Affinita et al. 2023 holds "all robots", so also teammates. The own camera sees where a
-// robot of the own team is, but not its number. The last packets of teammates tell which teammate this robot may be.
+// --- The obstacle model of Affinita et al. 2023 holds "all robots", so also teammates. A robot's camera sees where a
+// teammate is, but not its number. The last packets of teammates tell which teammate it may be.
 
-// A teammate that the own camera sees. `track`: an element of the list `seen` given to match_teammates().
+// A teammate that this robot's camera sees. `track`: an element of the list `seen` given to match_teammates().
 struct SeenTeammate {
   int number;
   const regista_track* track;
@@ -58,8 +58,6 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
 
 // Replaces the robot's position by its fusion with the seen track: the product of two independent Gaussians.
 void sharpen(regista_robot& robot, const regista_track& seen);
-
-// --- Fusion.
 
 // The covariance of a ball's state (x, y, vx, vy): ten numbers in the 2 x 2 blocks position, velocity and cross. The
 // inverse by blocks (Schur complement) costs a third of a general inverse.
@@ -126,7 +124,7 @@ struct Symmetric4 {
   }
 };
 
-// An estimate of one object. source: 0 = the own camera, n = the packets of robot n. A predictor owns `track`.
+// An estimate of one object. source: 0 = this robot's camera, n = the packets of robot n. A predictor owns `track`.
 struct Estimate {
   const regista_track* track;
   int source;
@@ -143,7 +141,7 @@ regista_ball fuse_ball(std::span<const Estimate> estimates);
 class OpponentFusion {
  public:
   OpponentFusion(double merge_distance, std::size_t most) : merge_distance_(merge_distance), most_(most) {
-    clusters_.reserve(64 + 5 * most);  // reserves memory for the own camera and each robot's packet
+    clusters_.reserve(64 + 5 * most);  // reserves memory for this robot's camera and each robot's packet
   }
   void fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without = -1);
 
@@ -171,10 +169,10 @@ class NegativeInformation {
   explicit NegativeInformation(int team_size) : sources_(static_cast<std::size_t>(team_size) + 1) {}
 
   // Compares each estimate of the ball (at most one for each source, field frame) with the camera's view. `own`: frame
-  // of the own pose. `dt`: time since the last call, s.
+  // of this robot's pose. `dt`: time since the last call, s.
   void look(std::span<const Estimate> balls, const Frame2& own, const Percepts& percepts, double dt);
 
-  // Returns whether the robot has looked in vain for the present estimate of `source`.
+  // Returns whether the camera has looked long enough at the current estimate of `source` without seeing a ball.
   bool refutes(int source) const { return sources_[static_cast<std::size_t>(source)].in_vain > enough; }
 
  private:

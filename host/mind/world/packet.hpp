@@ -37,7 +37,7 @@ struct ReportedOpponent {
 // What the sender knows at time_sent. Field frame of the team.
 struct Report {
   static constexpr std::size_t most_opponents = 5;
-  // s; a packet leaves out a ball or opponent that its sender has not seen for this time.
+  // A packet leaves out a ball or opponent that its sender has not seen for this time (s).
   static constexpr double tells_ball_for = 10.0, tells_opponents_for = 4.0;
 
   int sender = 0;          // shirt number
@@ -156,7 +156,7 @@ class SegmentJournal {
   void begin() {
     if (std::exchange(begun_, true)) events_.clear();
   }
-  // Whether further events of this decision are left out. The limit exists because a plugin may make many offers.
+  // Returns whether further events of this decision are left out, because a plugin may make any number of offers.
   bool full() const { return events_.size() >= 1024; }
   SegmentEvent& add(SegmentEvent::Kind kind, SegmentEvent::Why why, double time, int place) {
     SegmentEvent& event = events_.emplace_back();

@@ -47,10 +47,10 @@ void set_velocity(regista_track& track, const Vector2d& velocity) {
   track.vy = velocity.y();
 }
 
-// m; obstacles of two sources that are closer together are one object (B-Human's release: 1.1 m)
+// Obstacles of two sources that are closer together than this distance (m) are one object (B-Human's release: 1.1 m).
 constexpr double merge_distance = 1.1;
 
-// s; an estimate without a sighting for this time is dropped, because the ball may then be anywhere on the field
+// An estimate without a sighting for this time (s) is dropped: the ball may then be anywhere on the field.
 constexpr double ball_forgotten_after = 30.0;
 
 static_assert(static_cast<int>(Phase::finished) == REGISTA_PHASE_FINISHED);
@@ -127,8 +127,8 @@ void LocalModel::add_in_field_frame(int kind, const Vector2d& seen, double along
 void LocalModel::update(const Percepts& percepts, double dt, const regista_frame* last, bool ball_on_centre) {
   const regista_motion motion{percepts.odometry.x, percepts.odometry.y, percepts.odometry.heading};
 
-  // The area has no direction yet, because the robot's pose is not yet updated. The model of the own pose needs no
-  // direction, because it takes landmarks in the robot frame.
+  // The area has no direction yet, because the robot's pose is not yet updated. The model of the robot's own pose needs
+  // no direction, because it takes landmarks in the robot frame.
   regista_visible_area area{};
   area.half_angle = percepts.view.half_angle;
   area.range_ball = percepts.view.ball_range;
@@ -346,8 +346,8 @@ void WorldModel::fuse(const Percepts& percepts, double dt, const OwnRole& own) {
   common_.close();
 }
 
-// `mine` does not use estimates of the ball that the own camera refutes. If the camera refutes all estimates, `mine`
-// uses all estimates, so that the robots of the team still agree on the place of the lost ball.
+// `mine` does not use estimates of the ball that this robot's camera refutes. If the camera refutes all estimates,
+// `mine` uses all estimates, so that the robots of the team still agree on the place of the lost ball.
 void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
   const auto forgotten = [](const Estimate& each) { return each.track->age > ball_forgotten_after; };
   estimates_.clear();
@@ -395,8 +395,8 @@ void WorldModel::fill_robots(const Percepts& percepts) {
   common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
 }
 
-// Improves the teammates' positions in `mine` with the own camera, because a position from an old packet is less exact.
-// The camera sees no numbers, so match_teammates() pairs positions.
+// Improves the teammates' positions in `mine` with this robot's camera, because a position from an old packet is less
+// exact. The camera sees no numbers, so match_teammates() pairs positions.
 void WorldModel::sharpen_teammates() {
   seen_teammates_.clear();
   match_teammates(local_.teammates(), mine_.robots, own_number_, seen_teammates_);

@@ -74,9 +74,9 @@ class DistributedWorldModel {
 };
 
 // LM and its update psi (Affinita et al. 2023): what one robot knows from its own sensors alone. The team's predictors
-// model the own pose, the ball and the obstacles ("all robots"). LocalModel converts sightings to the field frame and
-// adds the uncertainty of the own pose. The jerseys tell the team of a robot, so opponents and teammates have separate
-// models. The predictor of opponents gives both models.
+// model the robot's own pose, the ball and the obstacles ("all robots"). LocalModel converts sightings to the field
+// frame and adds the uncertainty of the own pose. The jerseys tell the team of a robot, so opponents and teammates have
+// separate models. The predictor of opponents gives both models.
 class LocalModel {
  public:
   LocalModel(const TeamPlan& plan, plugin::Predictor self, plugin::Predictor ball, plugin::Predictor opponents,
@@ -94,7 +94,7 @@ class LocalModel {
   std::span<const regista_track> balls() const { return balls_; }
   std::span<const regista_track> opponents() const { return opponents_; }
   std::span<const regista_track> teammates() const { return teammates_; }
-  // Whether the percepts of the last update() had a ball sighting that belongs to the best hypothesis.
+  // Returns whether the percepts of the last update() had a ball sighting that belongs to the best hypothesis.
   bool sees_ball() const { return sighted_ && !balls_.empty() && balls_.front().age < 0.5 * decision_period_; }
 
  private:
@@ -180,7 +180,7 @@ class WorldModel {
   const DistributedWorldModel& common() const { return common_; }
   const LocalModel& local() const { return local_; }
   const TeamModel& team() const { return team_; }
-  // Whether the own camera refutes every estimate of the ball. The ball's place in `mine` is then wrong.
+  // Returns whether this robot's camera refutes every estimate of the ball. The ball's place in `mine` is then wrong.
   bool ball_refuted() const { return ball_refuted_; }
 
  private:

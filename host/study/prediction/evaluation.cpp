@@ -74,7 +74,7 @@ struct Path {
   }
 };
 
-// s; long enough to measure a velocity, and not longer than a ball needs to cross a robot.
+// This time (s) is long enough to measure a velocity, and at most the time in which a ball crosses a robot.
 constexpr double touch_window = 0.1;
 
 std::map<int, Path> paths_of(const Stretch& stretch, const std::vector<bool>& shown) {
@@ -278,7 +278,7 @@ std::vector<bool> untouched(std::span<const Sample> samples, double window) {
     // Each velocity is the velocity in the middle of its window, so the two velocities are `window` seconds apart.
     const double speed = before->norm();
     const double slowed = speed > 0.0 ? std::min(1.0, sliding_deceleration * window / speed) : 0.0;
-    // The part of the old velocity that is nearest to the new velocity, among the parts that braking allows.
+    // The fraction of the old velocity that is nearest to the new velocity, among the fractions that braking allows.
     const double kept = speed > 0.0 ? std::clamp(before->dot(*after) / (speed * speed), 1.0 - slowed, 1.0) : 0.0;
     out[i] = (*after - kept * *before).norm() < least_change;
   }

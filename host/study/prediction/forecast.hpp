@@ -17,8 +17,8 @@
 
 namespace regista::study {
 
-// For every sample of the stretch, whether the predictor gets it. Each object has at most one observation in `every`
-// seconds, as in a team's packets. Each observation is lost with probability `drop`. The draw depends on (seed,
+// Returns for every sample of the stretch whether the predictor gets it. Each object has at most one observation in
+// `every` seconds, as in a team's packets. Each observation is lost with probability `drop`. The draw depends on (seed,
 // stretch, object, sample number): Philox4x32 of Salmon et al., "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011.
 std::vector<bool> shown(const Stretch& stretch, const config::PredictorStudy::Observations& observations);
 

@@ -89,7 +89,7 @@ class Evaluator {
 // The first `most` different points, in the order of their first occurrence.
 std::vector<Point> distinct(std::span<const Point> points, std::size_t most);
 
-// The mean of the last 1/part of the points: of the last half for part 2. The number of these points is rounded up.
+// The mean of the last 1/part of the points: for part 2, of the last half. The number of these points is rounded up.
 Point mean_of_last(std::span<const Point> points, std::size_t part);
 
 // The largest number of points that a search recommends.
@@ -99,9 +99,10 @@ constexpr std::size_t most_recommended = 8;
 // mean over a point and its neighbours depends much less on luck: regression by nearest neighbours (N. S. Altman, "An
 // Introduction to Kernel and Nearest-Neighbor Nonparametric Regression", The American Statistician 46(3), 1992).
 
-// At most `most` of the candidates, best first. Each candidate gets the mean value of the 2 sqrt(number of points)
-// points (rounded up) that are nearest to the candidate. Of two equally near points, the earlier point counts. Of two
-// candidates with equal means, the earlier candidate is first. Precondition: one or more points, with one value each.
+// At most `most` of the candidates, best first. A candidate's rank is the mean value of its neighbours: the 2
+// sqrt(number of points) points (rounded up) that are nearest to it. Of two equally near points, the earlier point
+// counts. Of two candidates with equal means, the earlier candidate is first. Precondition: one or more points, with
+// one value each.
 std::vector<Point> best_by_neighbours(std::span<const Point> points, std::span<const double> values,
                                       std::span<const Point> candidates, std::size_t most);
 

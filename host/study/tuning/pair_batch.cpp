@@ -21,8 +21,8 @@ campaign::Job with_values(campaign::Job job, std::size_t side, const std::vector
   return job;
 }
 
-// The factor for the difference between two teams' values that gives one team's advantage over an equal opponent. If
-// the values have a fixed sum, the difference contains the advantage twice, so the factor is 1/2.
+// The factor that turns the difference of two teams' values into one team's advantage over an equal opponent. If the
+// values have a fixed sum, the difference contains the advantage twice, so the factor is 1/2.
 double share_of_difference(const std::string& measure) {
   return measure == "goal_difference" || measure == "points" ? 0.5 : 1.0;
 }
@@ -40,7 +40,7 @@ PairBatch::PairBatch(const TuningPlan& plan, const TunedDocument& document,
       packets_(candidates.size()),
       failed_(candidates.size(), false) {
   const std::size_t scenes = std::max<std::size_t>(plan.openings.size(), 1);
-  std::vector<std::size_t> used, places;  // used: scenes by first use; places: by pair, index into `used`
+  std::vector<std::size_t> used, places;  // used: scenes by first use; places[pair]: index into `used`
   for (std::uint64_t pair = 0; pair < pairs.count; ++pair) {
     // The seed draws the scenes of a verification, because it may stop at any pair.
     const std::size_t scene = pairs.stage == TuningStage::verification

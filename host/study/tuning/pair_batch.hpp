@@ -49,9 +49,9 @@ class PairBatch {
   bool take(const campaign::MatchResult& decided, ForfeitList& forfeits, MatchRemarks& remarks);
 
   std::uint64_t pairs() const { return pairs_done_; }
-  // By pair: the score (head-to-head: minus the base team's score); NaN without a score, e.g. if an opponent forfeits.
+  // For each pair, the score (head-to-head: minus the base team's score); NaN without a score, e.g. after a forfeit.
   const std::vector<double>& scores(std::size_t candidate) const { return scores_[candidate]; }
-  // By pair: whether the score is missing because a match could not be played.
+  // For each pair, whether the score is missing because a match could not be played.
   const std::vector<bool>& unplayed(std::size_t candidate) const { return unplayed_[candidate]; }
   std::uint64_t unplayed_pairs() const { return unplayed_pairs_; }  // sum over all candidates
   const PacketsSpent& packets(std::size_t candidate) const { return packets_[candidate]; }
@@ -106,8 +106,8 @@ struct MatchSource {
 // called after each pair of all candidates; a result false ends the batch; may be empty. Throws what `play` throws.
 void play_batch(const MatchSource& source, PairBatch& batch, const std::function<bool()>& after_pair = {});
 
-// The score of a candidate in its matches, and the number that a search gets for the candidate, even if the team
-// forfeited or no match has a value for the objective. A larger score is always better, also for a minimised objective.
+// The score of a candidate in its matches, and the number that the search gets for it, even if the team forfeited or no
+// match has a value for the objective. A larger score is always better, also for a minimised objective.
 struct PlayedScore {
   MeanEstimate score;    // over pairs
   bool failed = false;   // a plugin of the team forfeited a match

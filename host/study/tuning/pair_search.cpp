@@ -91,7 +91,8 @@ SearchSettings settings_of(const TuningPlan& plan) {
   SearchSettings out;
   out.start = point_of(plan, start_values(plan));
   out.evaluations = plan.evaluations() - 1;  // the base team is evaluated first
-  // Points that rounding makes equal cost no matches, so algorithms that do not plan by the budget get more points.
+  // Points that rounding makes equal cost no matches. So algorithms that do not divide the budget into steps beforehand
+  // may ask for more points.
   constexpr std::uint64_t most_repeats = 4;
   const bool plans = plan.algorithm() == Algorithm::spsa || plan.algorithm() == Algorithm::sep_cma_es ||
                      plan.algorithm() == Algorithm::random_search;
@@ -195,14 +196,14 @@ OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::opti
   const double most = plan.asked.search.minutes ? 60.0 * *plan.asked.search.minutes : HUGE_VAL;
   return [&store, most, end_of_time, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-    // Points of an earlier run are read, not played. The earlier run had time for them, and reading takes no time.
+    // The search repeats an earlier run from stored results, which takes no time, so the clock does not stop it here.
     if (evaluations < before.evaluations) return false;
     if (!began) began = Clock::now();
     const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();
     store.set_meta(time_of_search, std::to_string(evaluations) + ' ' + config::real_text(seconds));
     const bool past = end_of_time && std::chrono::system_clock::now() >= *end_of_time;
     if (seconds < most && !past) return false;
-    // The stored end belongs to the results. Each reading of the results ends the search here.
+    // Stores the end, so that the search ends at this point whenever the results are read.
     store.set_meta(end_of_search, std::to_string(evaluations));
     return true;
   };

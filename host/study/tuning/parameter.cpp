@@ -23,7 +23,8 @@ class Collector {
  public:
   explicit Collector(std::span<const config::PluginDeclaration> plugins) : plugins_(plugins) {}
 
-  // use: the node at `path`. said: whether the document sets a key below `path`. usual: the plugin if `use` names none.
+  // Adds the parameters of one plugin. use: the node at `path`. said(key): whether the document sets `key` below
+  // `path`. usual: id of the plugin if `use` names none.
   template <class Said>
   void plugin(const std::string& path, const char* kind, const Node& use, Said said, const std::string& usual = "") {
     const Node named = use["plugin"];
@@ -49,7 +50,8 @@ class Collector {
     }
   }
 
-  // before: start of all paths: "" for the team, "contexts.search.use." for a context. use: the context's own values.
+  // Adds the parameters of a coordination. before: beginning of all paths: "" for the team, "contexts.search.use." for
+  // a context. use: the context's own values.
   void coordination(const std::string& before, const Node& values, const Node& use) {
     const auto below = [&](const std::string& path) {
       return [&before, &use, path](const std::string& key) {

@@ -25,9 +25,9 @@ struct Entry {
   std::uint64_t least_for_each, least_besides;  // for algorithms without population, see below
 };
 
-// Without population, the first step needs least_for_each * n + least_besides evaluations. A simplex needs n + 1 points
-// and one more. bobyqa needs the start, the points of its first model, and the model's optimum. direct_l needs the
-// start, the centre, and both sides of the centre in each dimension.
+// Without population, the first step needs least_for_each * n + least_besides evaluations. A simplex method needs the n
+// + 1 points of its simplex and one new point. bobyqa needs the start, the points of its first model, and the model's
+// optimum. direct_l needs the start, the centre, and both sides of the centre in each dimension.
 constexpr std::array<Entry, 11> entries{{
     {Algorithm::sbplx, "sbplx", "Nelder-Mead on subspaces (Rowan's Subplex), by NLopt", true, false, 1, 2},
     {Algorithm::bobyqa, "bobyqa", "quadratic models within bounds (Powell), by NLopt", true, false, 2, 3},
@@ -110,7 +110,7 @@ constexpr std::array of_nlopt{NLOPT_LN_SBPLX,   NLOPT_LN_BOBYQA,   NLOPT_LN_NELD
                               NLOPT_GN_CRS2_LM, NLOPT_GN_DIRECT_L, NLOPT_GN_ISRES,      NLOPT_GN_ESCH};
 constexpr bool is_local(Algorithm algorithm) { return algorithm <= Algorithm::cobyla; }
 
-// Whether the algorithm may skip its start. DIRECT begins at the centre. BOBYQA moves a start that is near a bound.
+// Returns whether the algorithm may skip its start. DIRECT begins at the centre. BOBYQA moves a start near a bound.
 bool may_pass_over_start(Algorithm algorithm, const Point& start) {
   if (algorithm == Algorithm::direct_l) return true;
   const auto near = [](double x) { return (x > 0.0 && x < first_step) || (x < 1.0 && x > 1.0 - first_step); };
@@ -216,7 +216,8 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, E
     next_pairs = generations ? run.pairs_of(run.asked - 1) + 1 : 0;
     start = inquiry.best(1).front();
   }
-  // Means over the same pairs can be compared directly. Single values on different pairs are compared by neighbours.
+  // Means over the same pairs rank points directly. Single values are noisy, so best_by_neighbours() ranks their
+  // points.
   std::vector<Point> recommended = inquiry.best(generations ? candidates : most_recommended);
   if (generations && !recommended.empty()) {
     recommended = best_by_neighbours(inquiry.points(), inquiry.values(), recommended, most_recommended);

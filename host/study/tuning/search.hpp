@@ -43,10 +43,10 @@ const char* summary(Algorithm algorithm);
 // known. name: NLopt's name, in upper or lower case, with or without the prefixes NLOPT_, LN_, GN_, LD_, GD_.
 std::optional<std::string> why_unsuitable(std::string_view name);
 
-// Whether the algorithm treats values as exact. Such an algorithm needs several pairs of matches for each point.
+// Returns whether the algorithm treats values as exact, and so needs several pairs of matches for each point.
 bool wants_replication(Algorithm algorithm);
 
-// Whether the algorithm has a population, and so uses the setting `population`.
+// Returns whether the algorithm has a population, and so uses the setting `population`.
 bool has_population(Algorithm algorithm);
 
 // The number of evaluations that an algorithm needs for its first step. dimensions: number of free parameters.

@@ -15,7 +15,7 @@ namespace regista::study {
 // Spall, "Implementation of the Simultaneous Perturbation Algorithm for Stochastic Optimization", IEEE Transactions on
 // Aerospace and Electronic Systems 34(3), 1998. The gains of the last iteration define all gains.
 
-// The gains of the last iteration, as testers of chess engines give them.
+// The gains of the last iteration, in the form that testers of chess engines use.
 struct SpsaGains {
   double c_end;  // distance of each of the two points from the estimate, per dimension; side of the cube: 1
   double r_end;  // step of the estimate for a result of 1, in units of c
@@ -52,7 +52,7 @@ constexpr double spsa_step(double theta, double r, double c, double result, doub
 class RunningScale {
  public:
   static constexpr double most = 3.0;
-  double scaled(double difference);  // `difference` belongs to the differences so far
+  double scaled(double difference);  // counts `difference` as one of the differences so far
 
  private:
   std::vector<double> largest_;  // largest squares, as a heap with the least of them first

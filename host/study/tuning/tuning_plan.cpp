@@ -262,8 +262,8 @@ std::optional<double> difference_bound(const TuningPlan& plan) {
 
 std::uint64_t least_verification_pairs(const TuningPlan& plan) {
   const double needed = -std::log1p(-plan.confidence());
-  // In the best case, all differences are equal and as large as possible. The test bets half of the capital on each
-  // side; a bet wins at most 3/4 of its capital. Without bounds, the test estimates the spread from the differences.
+  // Counts the pairs of the best case: all differences are equal and as large as possible. The test bets half of the
+  // capital on each side; a bet wins at most 3/4 of its capital. Without bounds, the test estimates the spread.
   if (widest_difference(plan)) return static_cast<std::uint64_t>(std::ceil((needed + std::log(2.0)) / std::log(1.75)));
   std::uint64_t pairs = 1;
   while (0.5 * static_cast<double>(pairs - 1) - 0.5 * std::log(static_cast<double>(pairs)) < needed) ++pairs;

@@ -82,9 +82,9 @@ struct TuningPlan {
   std::uint64_t population() const { return static_cast<std::uint64_t>(asked.search.population.value_or(0)); }
   std::uint64_t finalists() const { return static_cast<std::uint64_t>(asked.selection.finalists); }  // most finalists
   std::uint64_t candidates() const { return static_cast<std::uint64_t>(asked.verification.candidates); }
-  // Whether candidates play against the base team instead of the opponents.
+  // Returns whether candidates play against the base team instead of the opponents.
   bool head_to_head() const { return asked.verification.against == config::Tuning::Against::base; }
-  // Whether the test assumes symmetric differences even if the objective has bounds.
+  // Returns whether the test assumes symmetric differences even if the objective has bounds.
   bool symmetric() const { return asked.verification.test == config::Tuning::Test::symmetric; }
   double confidence() const { return asked.verification.confidence; }
   std::uint64_t slice_points() const { return static_cast<std::uint64_t>(asked.slices.points); }  // 0: no slices
@@ -93,7 +93,7 @@ struct TuningPlan {
   }
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 
-  // Whether an opening or a limit may end matches earlier than whole matches.
+  // Returns whether an opening or a limit may end matches earlier than whole matches.
   bool short_games() const { return !openings.empty() || asked.settings.limit; }
   std::size_t free_parameters() const;
   std::uint64_t pairs_of_evaluation() const { return asked.search.pairs || wants_replication(algorithm()) ? pairs : 1; }
@@ -113,7 +113,7 @@ void complete(TuningPlan& plan);
 // Settings of matches against opponents or base team. As an opponent, the base team has the tuned team's settings.
 config::Overrides settings_of(const TuningPlan& plan, bool against_base);
 
-// Whether all numbers of the plan are in the ranges that a search needs.
+// Returns whether all numbers of the plan are in the ranges that a search needs.
 bool sound(const TuningPlan& plan);
 
 // Values of all parameters, in the plan's order.

@@ -25,7 +25,7 @@ constexpr std::uint64_t points_of_a_replicated_search = 200, fewest_replicates =
 
 std::uint64_t replicates(std::uint64_t search_pairs, std::size_t parameters) {
   const std::uint64_t usual = (search_pairs + points_of_a_replicated_search / 2) / points_of_a_replicated_search;
-  const std::uint64_t affordable = search_pairs / (4 * (parameters + 1));  // four rounds of a simplex
+  const std::uint64_t affordable = search_pairs / (4 * (parameters + 1));  // leaves the search 4 (n + 1) points or more
   return std::max({usual, std::min(fewest_replicates, affordable), std::uint64_t{1}});
 }
 

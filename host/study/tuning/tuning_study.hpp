@@ -98,7 +98,7 @@ class Verification {
   std::vector<double> adjusted() const;                           // by candidate: p_either_way(), adjusted by Holm
   std::uint64_t unplayed_pairs() const { return unplayed_; }      // pairs that a candidate or base team did not play
   std::vector<VerifiedAs> findings() const;
-  // Whether the test has decided on every candidate, or unplayed pairs prevent a decision for good.
+  // Returns whether the test has decided on every candidate, or unplayed pairs prevent a decision for good.
   bool decided() const;
 
  private:
