@@ -102,8 +102,7 @@ std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed
   const match::Result& result = match.result;
   const Section before = played_section(played);
   std::string out = before.title + '\n' + section_text(before) + '\n';
-  out += fmt::format("{} {} : {} {}\n\n", match.titles[0], result.score[0], result.score[1],
-                     match.titles[1]);
+  out += fmt::format("{} {} : {} {}\n\n", match.titles[0], result.score[0], result.score[1], match.titles[1]);
   out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
   out += fmt::format("seed        {}\n", match.seed);
   if (!match.opening.empty()) out += fmt::format("opening     {}\n", match.opening);

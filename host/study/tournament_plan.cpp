@@ -75,8 +75,8 @@ std::string told_apart(const TournamentPlan& plan, std::size_t team) {
   return fmt::format("{} ({})", plan.teams[team].label, same_file ? letter : file);
 }
 
-// A team's label is its name. If teams share a name, their file follows, or their letter if they also share the file. If
-// teams share a title, their labels follow it.
+// A team's label is its name. If teams share a name, their file follows, or their letter if they also share the file.
+// If teams share a title, their labels follow it.
 void label_teams(TournamentPlan& plan) {
   std::map<std::string, int> names, titles;
   for (const Entrant& team : plan.teams) {

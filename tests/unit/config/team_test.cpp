@@ -29,7 +29,8 @@ TEST(Team, ReadsEveryKeyOfThePage) {
   EXPECT_EQ(team.role_lists[0].name, "playing");
   const Role &keeper = roles[0], &striker = roles[1], &supporter = roles[2], &defender = roles[3], &jolly = roles[4];
 
-  EXPECT_EQ(keeper.robot, 1);
+  EXPECT_EQ(keeper.robots, std::vector{1});
+  EXPECT_EQ(keeper.least_in_play, 1);
   EXPECT_FALSE(keeper.offset);
   EXPECT_EQ(keeper.behaviour, "keep_goal");
   ASSERT_TRUE(keeper.target.on_line && !keeper.target.at && !keeper.target.on_circle);
@@ -239,7 +240,8 @@ TEST(Team, WhatIsRefused) {
        "t.yaml:4:28: unknown key \"param\" in assigner; nearest: \"params\"; known: plugin, file, params"},
       {4, "assigner: {plugin: greedy, params: [1]}", "t.yaml:4:36: assigner.params: a list; expected a map"},
       {4, "asigner: {plugin: greedy}",
-       "t.yaml:4:1: unknown key \"asigner\"; nearest: \"assigner\"; known: team, predictors, contexts, positioner, "
+       "t.yaml:4:1: unknown key \"asigner\"; nearest: \"assigner\"; known: team, title, predictors, contexts, "
+       "positioner, "
        "tasks, "
        "utility, assigner, sender, roles, behaviours, behaviour_without_role, teammates_forgotten_after"},
       {0, "teammates_forgotten_after: 0", "t.yaml:7:28: teammates_forgotten_after: \"0\" is outside 0.1 to 3600 s"},
@@ -378,6 +380,43 @@ TEST(Team, WhatIsRefused) {
 }
 
 // What is laid over a team is named where it stands, with what is in its way.
+std::string page_with_keeper(const std::string& keeper) {
+  return "team: base\n"
+         "predictors: {self: {plugin: p}, ball: {plugin: p}, opponents: {plugin: p}, teammates: {plugin: p}}\n"
+         "contexts: [{name: always, plugin: c}]\n"
+         "assigner: {plugin: a}\n"
+         "sender: {plugin: s}\n"
+         "roles: {playing: [{name: keeper, target: {at: own_goal}" +
+         keeper + "}]}\n";
+}
+
+TEST_F(TeamFiles, RobotsOfARole) {
+  const auto robots = [this](const std::string& value) {
+    write("t.yaml", page_with_keeper(", robot: " + value));
+    return read_document<Team>("t.yaml").role_lists[0].roles[0].robots;
+  };
+  EXPECT_EQ(robots("0"), std::vector<int>{});
+  EXPECT_EQ(robots("3"), std::vector{3});
+  EXPECT_EQ(robots("[3, 1, 2]"), (std::vector{3, 1, 2})) << "in order of preference";
+  const auto refused = [&](const std::string& value) { return error_of([&] { robots(value); }); };
+  const std::string place = "t.yaml:6:65: roles.playing.0.robot";
+  EXPECT_EQ(refused("[]"), place + ": an empty list; 0 is any robot");
+  EXPECT_EQ(refused("100"), place + ": \"100\" is outside 0 to 99");
+  EXPECT_EQ(refused("[1, 2, 1]"), "t.yaml:6:72: roles.playing.0.robot.2: robot 1 is given twice");
+  EXPECT_EQ(refused("[1, any]"), "t.yaml:6:69: roles.playing.0.robot.1: \"any\" is not a whole number");
+}
+
+TEST_F(TeamFiles, ATitleIsForPeopleAndOfOneTeam) {
+  const auto title = [](const Overrides& overrides = {}) { return read_document<Team>("over.yaml", overrides).title; };
+  write("base.yaml", page_with_keeper("") + "title: \"Nao Devils\"\n");
+  write("over.yaml", "extends: base.yaml\n");
+  EXPECT_EQ(title(), "Nao Devils") << "the same team";
+  write("over.yaml", "extends: base.yaml\nteam: mine\n");
+  EXPECT_EQ(title(), "mine") << "another team";
+  write("over.yaml", "extends: base.yaml\nteam: mine\ntitle: B-Human, Bremen\n");
+  EXPECT_EQ(title(), "B-Human, Bremen");
+}
+
 TEST_F(TeamFiles, WhatAPageLaysOverAnotherIsRefusedWhereItStands) {
   write("base.yaml",
         "team: base\n"
