@@ -135,6 +135,41 @@ config::Overrides overrides_for(std::string_view document, const config::Overrid
   return out;
 }
 
+namespace {
+
+struct SideName {
+  std::string_view letter, side;
+};
+constexpr std::array<SideName, 4> side_names{
+    {{"a", "home"}, {"b", "away"}, {"a_disturbance", "home_disturbance"}, {"b_disturbance", "away_disturbance"}}};
+
+// Replaces the first part of a path if it is the member `from` of a name.
+void replace_first_part(std::string& path, std::string_view SideName::*from, std::string_view SideName::*to) {
+  const std::string_view first = std::string_view(path).substr(0, path.find('.'));
+  const auto found = std::ranges::find(side_names, first, from);
+  if (found != side_names.end()) path.replace(0, first.size(), (*found).*to);
+}
+
+}  // namespace
+
+config::Overrides by_side(config::Overrides typed) {
+  for (config::Override& each : typed) {
+    std::string written = each.path;
+    replace_first_part(written, &SideName::side, &SideName::letter);
+    if (written != each.path) {
+      throw config::Error(each.where,
+                          "the first team, at home, is called a and the second b, as in all commands: " + written);
+    }
+    replace_first_part(each.path, &SideName::letter, &SideName::side);
+  }
+  return typed;
+}
+
+std::vector<std::string> by_letter(std::vector<std::string> overrides) {
+  for (std::string& each : overrides) replace_first_part(each, &SideName::side, &SideName::letter);
+  return overrides;
+}
+
 TeamSetup team_setup(const std::string& file, const config::Overrides& overrides, const config::Rules& rules,
                      const config::Robot& robot, const plugin::Catalogue& catalogue, KeyNames keys) {
   config::Node written = config::load(file, overrides);

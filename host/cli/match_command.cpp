@@ -42,7 +42,7 @@ namespace {
 constexpr auto match_examples = R"(Examples:
   regista match configs/teams/paper.yaml configs/teams/fixed_rate.yaml
   regista match a.yaml b.yaml --seed 7 --json
-  regista match a.yaml a.yaml --set home.utility.terms.distance.weight=0.5
+  regista match a.yaml a.yaml --set a.utility.terms.distance.weight=0.5
   regista match a.yaml b.yaml --limit 60 --decisions decisions.jsonl
   regista match a.yaml b.yaml --record match.mcap
   regista match a.yaml b.yaml --metrics numbers.csv
@@ -53,8 +53,8 @@ constexpr auto match_examples = R"(Examples:
 --from plays a match of a tournament or an experiment again: the same teams, plugins, profiles and seed, or it says what has changed; and
 compares the hashes; one that was forfeited, or could not be played, is played under the limits of that study. Rows are those of
 `regista report --csv`.
-A path of --set begins with home, away, rules, robot, disturbance (of both teams), home_disturbance, away_disturbance or
-opening; without one of these it goes to both teams.
+A path of --set begins with a (the first team, at home), b (the second), rules, robot, disturbance (of both teams),
+a_disturbance, b_disturbance or opening; without one of these it goes to both teams.
 
 Exit codes: 0 played; 1 the result could not be written, or is not that of --from; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
@@ -175,7 +175,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
   if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
     throw BadInput(texts::unknown("value", options.log, "--log", log_levels));
   }
-  options.overrides = config::typed_overrides(options.set);
+  options.overrides = campaign::by_side(config::typed_overrides(options.set));
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
   const std::optional<results::StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {

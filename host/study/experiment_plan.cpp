@@ -70,6 +70,13 @@ class ExperimentPlanner {
           document_, {"sweep.values"},
           fmt::format("{} arms at {} values: at most {} can be played", plan_.arms(), plan_.values(), most_conditions));
     }
+    require_present_names(plan_.asked.settings.set, "set");
+    for (const config::Experiment::Arm& each : plan_.asked.arms)
+      require_present_names(each.set, fmt::format("arm {}", texts::in_quotes(each.name)));
+    if (const auto& sweep = plan_.asked.sweep) {
+      const config::Location where = document_["sweep"]["path"].where();
+      require_present_names(config::Node::map({{sweep->path, where, config::Node()}}, where), "sweep");
+    }
     make_jobs(plan_, document_);
     look_at_conditions();
     if (!mistakes_.none()) return {};  // the steps below need all conditions

@@ -22,18 +22,19 @@
 namespace regista::study {
 namespace {
 
-// A document of a match that is not the document of the study's own team. name: first key of its paths. inside: example
-// of a path inside it. on_side: first key of its paths in a match with the own team at home, away.
+// A document of a match that is not the own team's document. name: first key of its paths. key: the key of the study's
+// document that names its file; version 0.2 used it as the first key of paths, too. inside: example of a path inside
+// it. on_side: first key of its paths in a match with the own team at home, away.
 struct OtherDocument {
-  std::string_view name, inside;
+  std::string_view name, key, inside;
   std::array<std::string_view, 2> on_side;
 };
 constexpr std::array<OtherDocument, 5> documents{
-    {{"opponent", "sender.plugin", {"away", "home"}},
-     {"rules", "messages.budget", {"rules", "rules"}},
-     {"robot", "walk.forward", {"robot", "robot"}},
-     {"disturbance", "radio.loss", {"home_disturbance", "away_disturbance"}},
-     {"opponent_disturbance", "radio.loss", {"away_disturbance", "home_disturbance"}}}};
+    {{"b", "opponent", "sender.plugin", {"away", "home"}},
+     {"rules", "rules", "messages.budget", {"rules", "rules"}},
+     {"robot", "robot", "walk.forward", {"robot", "robot"}},
+     {"a_disturbance", "disturbance", "radio.loss", {"home_disturbance", "away_disturbance"}},
+     {"b_disturbance", "opponent_disturbance", "radio.loss", {"away_disturbance", "home_disturbance"}}}};
 
 auto document_of(std::string_view path) { return std::ranges::find(documents, first_part(path), &OtherDocument::name); }
 
@@ -42,22 +43,29 @@ bool is_inside(std::string_view path, std::string_view whole) {
   return path.size() > whole.size() && path.starts_with(whole) && path[whole.size()] == '.';
 }
 
+// Returns the path without `a.`, as the study's own team needs no letter, and with the present names of documents.
+std::string present_path(const std::string& path) {
+  const std::string_view first = first_part(path);
+  if (first == "a" && first.size() < path.size()) return path.substr(2);
+  const auto former = std::ranges::find(documents, first, &OtherDocument::key);
+  return former == documents.end() ? path : std::string(former->name) + path.substr(first.size());
+}
+
 void require_settable(const config::Node::Entry& entry, const std::string& what) {
   const auto refuse = [&](const std::string& why) {
     throw config::Error(entry.key_where, fmt::format("{}: {}: {}", what, entry.key, why));
   };
   const std::string_view first = first_part(entry.key);
   if (first == "home" || first == "away" || first == "home_disturbance" || first == "away_disturbance")
-    refuse(
-        "each arm plays at home and away; a path without that is of its team, one that begins with opponent of the "
-        "other");
+    refuse("each arm plays at home and away; a path without that is of its team, one that begins with b of the other");
   if (first == "opening") refuse("scenes are the same for all arms");
-  const auto document = document_of(entry.key);
-  if (document != documents.end() && first == entry.key)
+  const std::string path = present_path(entry.key);
+  const auto document = document_of(path);
+  if (document != documents.end() && document->name == path)
     refuse(
         fmt::format("expected a path inside it, as in `{}.{}`; the whole of it is named by a file, `{}:` of the "
                     "experiment",
-                    first, document->inside, entry.key));
+                    document->name, document->inside, document->key));
 }
 
 }  // namespace
@@ -85,11 +93,21 @@ std::size_t drawn_opening(std::uint64_t seed, std::size_t openings) {
   return static_cast<std::size_t>((std::uint64_t{random[0]} << 32 | random[1]) % openings);
 }
 
+void require_present_names(const config::Node& set, const std::string& what) {
+  for (const config::Node::Entry& entry : set.entries()) {
+    const std::string now = present_path(entry.key);
+    if (first_part(entry.key) == "a" || now == entry.key) continue;
+    throw config::Error(entry.key_where,
+                        fmt::format("{}: {}: the study's own team is called a and the other b, as in all commands: {}",
+                                    what, entry.key, now));
+  }
+}
+
 config::Overrides settings_of(const config::Node& set, const std::string& what) {
   config::Overrides out;
   for (const config::Node::Entry& entry : set.entries()) {
     require_settable(entry, what);
-    out.emplace_back(entry.key, entry.value, entry.key_where);
+    out.emplace_back(present_path(entry.key), entry.value, entry.key_where);
   }
   return out;
 }
@@ -101,7 +119,7 @@ config::Overrides settings_of(const config::Experiment& experiment, const config
       settings_of(experiment.arms[arm].set, fmt::format("arm {}", texts::in_quotes(experiment.arms[arm].name)));
   out.insert(out.end(), own.begin(), own.end());
   if (!experiment.sweep) return out;
-  const std::string& path = experiment.sweep->path;
+  const std::string path = present_path(experiment.sweep->path);
   for (const config::Override& each : own) {
     if (each.path == path) throw config::Error(each.where, path + ": the sweep sets this path in every arm");
     if (is_inside(each.path, path) || is_inside(path, each.path)) {

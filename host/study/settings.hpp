@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The settings of a study for its matches: rules, robot and limit, and values that replace values of the documents. In
 // experiments and tunings, the path of such a value belongs to the study's own team (the arm's team or the tuned team),
-// unless the path begins with opponent, rules, robot, disturbance (of the own team) or opponent_disturbance.
+// unless the path begins with b (the other team), rules, robot, a_disturbance (of the own team) or b_disturbance.
 #pragma once
 
 #include <array>
@@ -56,6 +56,10 @@ std::size_t drawn_opening(std::uint64_t seed, std::size_t openings);
 
 // The first key of a path: "sender" for "sender.params.period".
 std::string_view first_part(std::string_view path);
+
+// Throws config::Error for a path of version 0.2, which called the other team "opponent". Stored studies may have such
+// paths, and settings_of() reads them.
+void require_present_names(const config::Node& set, const std::string& what);
 
 // The settings in a map of a document. what: the map's name in messages. Throws config::Error for an impossible path.
 config::Overrides settings_of(const config::Node& set, const std::string& what);

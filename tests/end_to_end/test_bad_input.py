@@ -149,7 +149,7 @@ class Overrides(BadInput):
             "known: scale, squared")
 
     def test_element_that_is_not_there(self):
-        override = "away.roles.playing.strike.offset=false"
+        override = "b.roles.playing.strike.offset=false"
         line = self.refused_at_once("match", "small.yaml", "small.yaml", "--set", override)
         self.assertTrue(line.startswith(f"--set {override}: "), line)
         self.assertIn('nearest: "striker"', line)

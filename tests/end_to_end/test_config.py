@@ -156,7 +156,7 @@ class Config(program.Case):
         self.assertEqual(played.stderr, done.stderr)
         self.assertIn("is off the field, which with its border reaches", self.run_program(
             "match", "small.yaml", "small.yaml", "--limit", "1", "--quiet",
-            "--set", "home.roles.playing.striker.target={at: [-42, 0]}").stderr)
+            "--set", "a.roles.playing.striker.target={at: [-42, 0]}").stderr)
 
     def test_utilities_that_cannot_be_tried(self):
         for name, folder, why in (

@@ -107,13 +107,13 @@ class Played(experiment.Experiment):
         self.assertEqual(report["measures"], other["measures"])
 
     def test_a_sweep_plays_every_arm_at_every_value(self):
-        self.document("sweep: {path: disturbance.radio.loss, values: [0, 1]}\nmeasures: [packets, agreement]\n",
+        self.document("sweep: {path: a_disturbance.radio.loss, values: [0, 1]}\nmeasures: [packets, agreement]\n",
                       [("matches: 4", "matches: 2")])
         report = self.experiment()
         self.assertEqual(report["planned_matches"], 8)
         self.assertEqual([(each["arm"], each["value"]) for each in self.measure(report, "packets")["conditions"]],
                          [("at the ball", "0"), ("beside it", "0"), ("at the ball", "1"), ("beside it", "1")])
-        self.assertEqual({row["disturbance.radio.loss"] for row in self.table_of()}, {"0", "1"})
+        self.assertEqual({row["a_disturbance.radio.loss"] for row in self.table_of()}, {"0", "1"})
         self.succeed("report", "trial.db", "--figures", "figures")
         self.assertTrue((self.folder / "figures" / "sweep_1.svg").read_text().startswith("<?xml"))
 
@@ -169,7 +169,7 @@ class Played(experiment.Experiment):
                                ("team: other.yaml}", "team: other.yaml, set: {robot.walk.forward: 0.2}}")])
         armed = self.experiment("--results", "armed.db")
         self.assertTrue(any(sentence in each and "robot.walk.forward" in each for each in armed["notes"]))
-        self.document("sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\n", [("matches: 4", "matches: 2")])
+        self.document("sweep: {path: a_disturbance.radio.loss, values: [0, 0.5]}\n", [("matches: 4", "matches: 2")])
         self.assertFalse(any(sentence in each for each in self.experiment("--results", "own.db")["notes"]))
 
     def test_interrupted_cleanly(self):
@@ -214,7 +214,7 @@ class Page(experiment.Experiment):
                 self.assertEqual(each["measure"] in drawn, any(mean["mean"] for mean in each["conditions"]), each)
 
     def test_figures_of_an_earlier_experiment_do_not_stay(self):
-        sweep = "sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\nmeasures: [packets]\n"
+        sweep = "sweep: {path: a_disturbance.radio.loss, values: [0, 0.5]}\nmeasures: [packets]\n"
         self.document(sweep, [("matches: 4", "matches: 2")])
         self.experiment("--results", "night.db")
         figures = self.folder / "night.figures"
@@ -281,11 +281,11 @@ class BadInput(experiment.Experiment):
         return line
 
     def test_paths_that_are_unknown(self):
-        line = self.refusal("sweep: {path: disturbance.radio.los, values: [0, 1]}\n")
+        line = self.refusal("sweep: {path: a_disturbance.radio.los, values: [0, 1]}\n")
         self.assertRegex(line, r"e\.yaml:\d+:\d+: disturbance\.radio\.los: .*nearest: \"loss\"")
         line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {utility.terms.near.wieght: 1}}")])
         self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.near\.wieght: .*nearest: \"weight\"")
-        line = self.refusal("sweep: {path: opponent.utility.terms.near.weigth, values: [1]}\n")
+        line = self.refusal("sweep: {path: b.utility.terms.near.weigth, values: [1]}\n")
         self.assertIn('nearest: "weight"', line)
         line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {utility.terms.naer.weight: 1}}")])
         self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.naer\.weight: ")
@@ -311,14 +311,14 @@ class BadInput(experiment.Experiment):
              r"e\.yaml:\d+:\d+: .*unknown arm \"beside\""),
             ("primary: {measure: goals, compare: [[beside it, beside it]]}\n", [], r"compared with itself"),
             ("sweep: {path: rules.messages.budget, values: [1, 1]}\n", [], r"the same value a second time"),
-            ("sweep: {path: disturbance.radio.loss, values: [0.1, 1e-1]}\n", [], r"the same value a second time"),
-            ("sweep: {path: disturbance.radio.loss, values: [0, 0.10, 0.1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: a_disturbance.radio.loss, values: [0.1, 1e-1]}\n", [], r"the same value a second time"),
+            ("sweep: {path: a_disturbance.radio.loss, values: [0, 0.10, 0.1]}\n", [], r"the same value a second time"),
             ("sweep: {path: roles.playing.striker.target.shift, values: [[1, 0], [1.0, 0]]}\n", [],
              r"the same value a second time"),
             ("primary: {measure: goals, compare: [[at the ball, beside it], [beside it, at the ball]]}\n", [],
              r"e\.yaml:\d+:\d+: primary\.compare: the same two arms a second time"),
-            ("sweep: {path: disturbance.radio.loss, values: [0, 0.5]}\n",
-             [("team: other.yaml}", "team: other.yaml, set: {disturbance.radio: {loss: 0.1}}}")],
+            ("sweep: {path: a_disturbance.radio.loss, values: [0, 0.5]}\n",
+             [("team: other.yaml}", "team: other.yaml, set: {a_disturbance.radio: {loss: 0.1}}}")],
              r"e\.yaml:5:\d+: disturbance\.radio: the sweep sets disturbance\.radio\.loss in every arm"),
             ("sweep: {path: opponent, values: [worse.yaml, small.yaml]}\n", [],
              r"e\.yaml:\d+:\d+: sweep: opponent: expected a path inside it, as in `opponent\.sender\.plugin`"),

@@ -88,9 +88,9 @@ class Match(program.Case):
         self.assertEqual(self.play("--set", "rules.ball.rolling_deceleration=0.32",
                                    "--set", "robot.walk.turn_deg=90")["state_hash"], base)
         hashes = {base}
-        for override in ("home.tasks.offset.at_most=0", "away.tasks.offset.at_most=0", "tasks.offset.at_most=0",
+        for override in ("a.tasks.offset.at_most=0", "b.tasks.offset.at_most=0", "tasks.offset.at_most=0",
                          "rules.durations.ready=4", "robot.walk.forward=0.2", "disturbance.radio.loss=0.5",
-                         "home_disturbance.radio.loss=0.5", "away_disturbance.radio.loss=0.5"):
+                         "a_disturbance.radio.loss=0.5", "b_disturbance.radio.loss=0.5"):
             hashes.add(self.play("--set", override)["state_hash"])
         self.assertEqual(len(hashes), 9)
 

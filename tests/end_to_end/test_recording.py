@@ -64,7 +64,7 @@ class Crashed(Recording):
         """Whatever it held when it stopped to decide; and a role again when it is back."""
         usual = self.roles()
         robot = next(n for n in range(2, 8) if all(-1 not in usual[when, n] for when in ("before", "while", "after")))
-        crashed = self.roles("--set", f"home_disturbance.incidents=[{{kind: crash, robots: [{robot}], at: 20, for: 10}}]")
+        crashed = self.roles("--set", f"a_disturbance.incidents=[{{kind: crash, robots: [{robot}], at: 20, for: 10}}]")
         self.assertEqual(crashed["before", robot], usual["before", robot])
         self.assertEqual(crashed["while", robot], {-1})
         self.assertGreaterEqual(max(crashed["after", robot]), 0)

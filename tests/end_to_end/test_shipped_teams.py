@@ -158,8 +158,8 @@ class ShippedTeams(program.ShippedCase):
         league = ("--rules", program.SOURCE / "configs" / "rules" / "hsl2026.yaml",
                   "--robot", program.SOURCE / "configs" / "robots" / "humanoid.yaml")
         gone = "{name: gone, kind: crash, at: 1, for: 3600, robots: "
-        no_opponents = ("--set", f"away_disturbance.incidents=[{gone} all}}]")
-        one_left = ("--set", f"home_disturbance.incidents=[{gone} [1, 2, 3, 4, 5, 6]}}]")
+        no_opponents = ("--set", f"b_disturbance.incidents=[{gone} all}}]")
+        one_left = ("--set", f"a_disturbance.incidents=[{gone} [1, 2, 3, 4, 5, 6]}}]")
         sizes = [("--set", f"rules.team_size={size}") for size in (2, 3, 5, 11)]
         for options in (*sizes, league, no_opponents, one_left):
             done = self.run_program("match", *pair, "--seed", "3", "--limit", "200", "--json", *options)

@@ -194,7 +194,7 @@ class Pictures(View):
         # No team file can name them, but a recording may come from anywhere.
         long_name = "a_name_of_30_letters_that_goes"
         self.succeed("match", "small.yaml", "small.yaml", *program.PLAY_SOON, "--limit", "10", "--quiet", "--record",
-                     "b.mcap", "--set", f"home.team={long_name}")
+                     "b.mcap", "--set", f"a.team={long_name}")
         data = (self.folder / "b.mcap").read_bytes()
         name = "<script>\u202ealert(1)</script>".encode()
         self.assertLessEqual(len(name), len(long_name))

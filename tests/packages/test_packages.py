@@ -188,7 +188,7 @@ class Packages(unittest.TestCase):
     def plays_with(self, plugin):
         (self.root.path / "tmp/plugins").mkdir()
         shutil.copy(plugin, self.root.path / "tmp/plugins")
-        played = self.play("--limit", "120", "--plugins", "/tmp/plugins", "--set", "home.assigner.plugin=best_pair_first")
+        played = self.play("--limit", "120", "--plugins", "/tmp/plugins", "--set", "a.assigner.plugin=best_pair_first")
         self.assertEqual(played["failures"], [])
         self.assertNotEqual(played["state_hash"], self.play("--limit", "120")["state_hash"])
 

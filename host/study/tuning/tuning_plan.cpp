@@ -311,9 +311,9 @@ config::Overrides settings_of(const TuningPlan& plan, bool against_base) {
   if (!against_base) return all;
   config::Overrides out;
   for (const config::Override& each : all) {
-    if (each.path.starts_with("opponent.")) continue;
+    if (first_part(each.path) == "b") continue;
     out.push_back(each);
-    if (is_of_own_team(each.path)) out.emplace_back("opponent." + each.path, each.value, each.where);
+    if (is_of_own_team(each.path)) out.emplace_back("b." + each.path, each.value, each.where);
   }
   return out;
 }

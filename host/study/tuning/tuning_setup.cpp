@@ -48,6 +48,7 @@ class TuningPlanner {
   // Returns an incomplete plan if there are mistakes.
   TuningPlan planned() {
     mistakes_.attempt("search", [&] { require_algorithm(); });
+    mistakes_.attempt("set", [&] { require_present_names(plan_.asked.settings.set, "set"); });
     meet_opponents();
     if (mistakes_.doubtful("opponents")) return std::move(plan_);  // the steps below need all opponents
     mistakes_.attempt("parameters", [&] { choose_parameters(); });

@@ -36,6 +36,23 @@ TEST(Overrides, GoWhereTheirFirstPartSays) {
   EXPECT_EQ(of(all, "opening"), List{"length=20"});
 }
 
+TEST(Overrides, TeamsAreCalledByLettersInAMatchToo) {
+  List out;
+  for (const config::Override& each : by_side({"a.sender.params.reserve=20", "b_disturbance.radio.loss=1", "x.y=2"}))
+    out.push_back(to_string(each));
+  EXPECT_EQ(out, (List{"home.sender.params.reserve=20", "away_disturbance.radio.loss=1", "x.y=2"}));
+  EXPECT_EQ(by_letter(out), (List{"a.sender.params.reserve=20", "b_disturbance.radio.loss=1", "x.y=2"}));
+  try {
+    by_side({"away.tasks.keep=all"});
+    FAIL() << "version 0.2 called it so";
+  } catch (const config::Error& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "--set away.tasks.keep=all: the first team, at home, is called a and the second b, as in all commands: "
+        "b.tasks.keep");
+  }
+}
+
 TEST(Overrides, KeepTheirOrder) {
   const config::Overrides all{"team=a", "home.team=b", "team=c"};
   EXPECT_EQ(of(all, "home"), (List{"team=a", "team=b", "team=c"}));

@@ -56,7 +56,7 @@ TEST(ExperimentPlan, IsReadAsItWasWritten) {
   config::Experiment& asked = plan.asked;
   asked.question = "Is it?";
   asked.arms[1].set = config::Node::map({{"sender.params.reserve", {}, text("60")}}, {});
-  asked.settings.set = config::Node::map({{"opponent.sender.params.reserve", {}, text("6")}}, {});
+  asked.settings.set = config::Node::map({{"b.sender.params.reserve", {}, text("6")}}, {});
   asked.primary->test = PairTest::sign_flip;
   asked.confidence = 0.9;
   asked.disturbance = "d.yaml";
