@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mind/coordination/coordination.hpp"
+#include "recording/label_placement.hpp"
 #include "texts/message.hpp"
 
 namespace regista::recording::picture {
@@ -119,49 +120,7 @@ namespace {
 using namespace picture;
 using mind::Vector2d;
 
-constexpr double page_width = 720.0, page_margin = 8.0, page_head = 20.0, marker = 7.0, line_height = 14.0,
-                 letter = 6.6;  // px
-
-struct Box {
-  double left, top, right, bottom;
-
-  bool meets(const Box& other) const {
-    return left < other.right && other.left < right && top < other.bottom && other.top < bottom;
-  }
-};
-
-Box around(double x, double y, double half) { return {x - half, y - half, x + half, y + half}; }
-
-// Places each label below, above, right or left of its object: at the first of these places that is still free.
-class Labels {
- public:
-  Labels(double right, double bottom) : right_(right), bottom_(bottom) {}
-
-  void occupy(const Box& box) { taken_.push_back(box); }
-
-  Html place(double x, double y, const char* classes, const std::string& words) {
-    const double half = 0.5 * letter * static_cast<double>(words.size());
-    const std::array<Vector2d, 6> centres{
-        Vector2d(x, y + marker + 9.0),        Vector2d(x, y - marker - 9.0),  Vector2d(x + marker + 5.0 + half, y),
-        Vector2d(x - marker - 5.0 - half, y), Vector2d(x, y + marker + 22.0), Vector2d(x, y - marker - 22.0),
-    };
-    const auto box_at = [&](const Vector2d& c) {
-      return Box{c.x() - half, c.y() - 0.5 * line_height, c.x() + half, c.y() + 0.5 * line_height};
-    };
-    const auto free = std::ranges::find_if(centres, [&](const Vector2d& c) {
-      const Box box = box_at(c);
-      const bool inside = box.left >= 0.0 && box.top >= page_head && box.right <= right_ && box.bottom <= bottom_;
-      return inside && std::ranges::none_of(taken_, [&](const Box& other) { return box.meets(other); });
-    });
-    const Vector2d& centre = free == centres.end() ? centres.front() : *free;
-    occupy(box_at(centre));
-    return label(centre.x(), centre.y() + 4.0, classes, words);
-  }
-
- private:
-  double right_, bottom_;
-  std::vector<Box> taken_;
-};
+constexpr double page_width = 720.0, page_margin = 8.0, page_head = 20.0, marker = 7.0, letter = 12.0;  // px
 
 void put(mind::DistributedWorldModel& world, const std::array<double, 2>& ball) {
   world.ball_state.flags = REGISTA_BALL_KNOWN;
@@ -205,7 +164,7 @@ constexpr Markup roles_style = R"(<style>
 text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;fill:#1b1f24;text-anchor:middle}
 .head{text-anchor:start;font-weight:600}
 .grass{fill:#eef4ee}.line *{fill:none;stroke:#7d8a80;stroke-width:1.5}
-.role{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
+.lead{stroke:#4a545e;stroke-opacity:.7;fill:none}.role{paint-order:stroke;stroke:#fff;stroke-width:2.5px;stroke-linejoin:round}
 .marker{fill:#0072b2;stroke:#fff;stroke-width:1}.facing{stroke:#0072b2;stroke-width:2.5}
 .number{fill:#fff;font-size:10px;font-weight:600}
 .ball{fill:#1b1f24;stroke:#fff;stroke-width:1.5}
@@ -225,8 +184,11 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   const bool known = !balls.empty(), several = balls.size() > 1, alone = what.roles.size() == 1;
   if (!known) balls.emplace_back();
 
-  Labels labels(page_width, height);
-  Html shapes, markers, names;
+  Labels labels;
+  const auto name = [&](double x, double y, double radius, std::string words) {
+    labels.add(x, y, radius, std::move(words), {"role", 0, letter, true});
+  };
+  Html shapes, markers;
   if (alone && what.roles.front()->target.within) shapes << region(*what.roles.front()->target.within, to);
   struct Named {
     Vector2d at;
@@ -245,22 +207,22 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
       markers << arrow(at, anchors.at(role->target.facing), to)
               << drawn(R"(<circle class="marker" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y, marker);
       if (several) markers << label(x, y + 3.5, "number", fmt::format("{}", i + 1));
-      labels.occupy(around(x, y, marker));
+      labels.take(x, y, marker);
       if (i == 0 || !several) named.push_back({at, role});
     }
     if (!known) continue;
     const double x = to.x(balls[i][0]), y = to.y(balls[i][1]);
     markers << drawn(R"(<circle class="ball" cx="{:.1f}" cy="{:.1f}" r="5"/>)", x, y);
-    labels.occupy(around(x, y, 5.0));
-    if (several) names << labels.place(x, y, "role", fmt::format("ball {}", i + 1));
+    labels.take(x, y, 5.0);
+    if (several) name(x, y, 5.0, fmt::format("ball {}", i + 1));
   }
-  for (const Named& each : named) {
-    names << labels.place(to.x(each.at.x()), to.y(each.at.y()), "role", texts::visible_at_most(each.role->name, 32));
-  }
+  for (const Named& each : named)
+    name(to.x(each.at.x()), to.y(each.at.y()), marker, texts::visible_at_most(each.role->name, 32));
   Html out = sheet(page_width, height);
   const std::string title =
       fmt::format("{}: roles of {}", texts::visible_at_most(what.team, 40), texts::visible_at_most(what.of, 60));
-  out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers << names;
+  out << roles_style << label(page_margin, 19.0, "head", title) << field_lines(field, to) << shapes << markers
+      << labels.written({0.0, page_head, page_width, height});
   return std::string(roles_svg_begin) + '\n' + (out << "</svg>\n"_html).str();
 }
 

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "config/errors.hpp"
+#include "recording/label_placement.hpp"
 
 namespace regista::recording {
 namespace {
@@ -31,6 +32,10 @@ Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
                to.x(x), to.y(y), longer * to.per_metre, shorter * to.per_metre, -angle * 180.0 / std::numbers::pi);
 }
 
+// Who chooses a place first: the chosen robot, its team, its tasks, then the ages of its beliefs and the opponents.
+constexpr Labels::Style of_chosen{"role", 0, 10.5, true}, of_own_team{"role", 1, 10.5, true},
+    of_tasks{"task-name", 2, 10.5, true}, of_ages{"age", 3, 9.5, false}, of_opponents{"role", 4, 10.5, false};
+
 // Draws home robots as discs and away robots as squares. kind: a class of the style sheet.
 Html robot_shape(const RecordedPose& pose, double radius, int side, int number, const char* kind, const Scale& to) {
   const double x = to.x(pose.x), y = to.y(pose.y), r = radius * to.per_metre, half = 0.9 * r;
@@ -48,7 +53,7 @@ Html robot_shape(const RecordedPose& pose, double radius, int side, int number, 
 }
 
 Html truth(const RecordedMatch& match, const RecordedGame& game, const std::optional<RobotName>& chosen,
-           const Scale& to) {
+           const Scale& to, Labels& labels) {
   Html out;
   for (const std::size_t side : {0u, 1u}) {
     const RecordedTeam& team = match.teams()[side];
@@ -71,43 +76,53 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
         out << drawn(R"(<path class="fallen" d="M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", x - r,
                      y - r, x + r, y + r, x - r, y + r, x + r, y - r);
       }
-      if (!away && game.roles[side][i] >= 0) {
-        out << label(to.x(pose.x), to.y(pose.y) + (team.robot_radius + 0.2) * to.per_metre, "role",
-                     visible_at_most(role_name(team, game.roles[side][i]), 24));
-      }
+      const double x = to.x(pose.x), y = to.y(pose.y), radius = team.robot_radius * to.per_metre;
+      labels.take(x, y, radius);
+      const bool opponent = chosen && static_cast<std::size_t>(chosen->side) != side;
+      const std::string name = away                       ? "penalised"
+                               : game.roles[side][i] >= 0 ? visible_at_most(role_name(team, game.roles[side][i]), 24)
+                                                          : std::string();
+      labels.add(x, y, is_chosen ? radius + 0.12 * to.per_metre : radius, name,
+                 is_chosen  ? of_chosen
+                 : opponent ? of_opponents
+                            : of_own_team);
     }
   }
-  return out << drawn(R"(<circle class="ball" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(game.ball[0]),
-                      to.y(game.ball[1]), std::max(4.0, match.ball_radius() * to.per_metre));
+  const double x = to.x(game.ball[0]), y = to.y(game.ball[1]),
+               radius = std::max(4.0, match.ball_radius() * to.per_metre);
+  labels.take(x, y, radius);
+  return out << drawn(R"(<circle class="ball" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y, radius);
 }
 
 Html believed(const RecordedWorld& world, const RecordedPose& own, const RecordedTeam& team, const RobotName& robot,
-              const Scale& to) {
+              const Scale& to, Labels& labels) {
+  const double radius = team.robot_radius * to.per_metre;
   Html out = robot.side == 0 ? R"x(<g class="of-home" clip-path="url(#field)">)x"_html
                              : R"x(<g class="of-away" clip-path="url(#field)">)x"_html;
   for (const RecordedTeammate& mate : world.teammates) {
     if (mate.number == robot.number) continue;
     out << ellipse(mate.covariance, mate.pose.x, mate.pose.y, to)
-        << robot_shape(mate.pose, team.robot_radius, robot.side, mate.number, "ghost mate", to)
-        << label(to.x(mate.pose.x), to.y(mate.pose.y) - (team.robot_radius + 0.08) * to.per_metre, "age",
-                 fmt::format("{:.1f} s", mate.age));
+        << robot_shape(mate.pose, team.robot_radius, robot.side, mate.number, "ghost mate", to);
+    labels.take(to.x(mate.pose.x), to.y(mate.pose.y), radius / 2.0);
+    labels.add(to.x(mate.pose.x), to.y(mate.pose.y), radius, fmt::format("{:.1f} s", mate.age), of_ages);
   }
   for (const RecordedObject& opponent : world.opponents) {
     out << ellipse(opponent.covariance, opponent.x, opponent.y, to)
-        << robot_shape({opponent.x, opponent.y, 0.0}, team.robot_radius, 1 - robot.side, 0, "ghost other", to)
-        << label(to.x(opponent.x), to.y(opponent.y) + 4.0, "age", fmt::format("{:.1f} s", opponent.age));
+        << robot_shape({opponent.x, opponent.y, 0.0}, team.robot_radius, 1 - robot.side, 0, "ghost other", to);
+    labels.add(to.x(opponent.x), to.y(opponent.y), radius, fmt::format("{:.1f} s", opponent.age), of_ages);
   }
   if (world.ball) {
     out << ellipse(world.ball->covariance, world.ball->x, world.ball->y, to)
         << drawn(R"(<circle class="ghost believed-ball" cx="{:.1f}" cy="{:.1f}" r="6"/>)", to.x(world.ball->x),
-                 to.y(world.ball->y))
-        << label(to.x(world.ball->x), to.y(world.ball->y) - 9.0, "age", fmt::format("ball, {:.1f} s", world.ball->age));
+                 to.y(world.ball->y));
+    labels.take(to.x(world.ball->x), to.y(world.ball->y), 6.0);
+    labels.add(to.x(world.ball->x), to.y(world.ball->y), 6.0, fmt::format("ball, {:.1f} s", world.ball->age), of_ages);
   }
   // The ghost shows the robot at the pose that the robot believes it has.
   return out << robot_shape(own, team.robot_radius, robot.side, robot.number, "ghost mate itself", to) << "</g>"_html;
 }
 
-Html planned(const RecordedDecision& decision, const RecordedTeam& team, const Scale& to) {
+Html planned(const RecordedDecision& decision, const RecordedTeam& team, const Scale& to, Labels& labels) {
   Html out;
   for (const auto& [from, end] : decision.edges) {
     const auto count = static_cast<int>(decision.waypoints.size());
@@ -128,11 +143,23 @@ Html planned(const RecordedDecision& decision, const RecordedTeam& team, const S
                  to.x(task.after->x), to.y(task.after->y))
         << drawn(R"(<circle class="before" cx="{:.1f}" cy="{:.1f}" r="3"/>)", to.x(task.before.x), to.y(task.before.y))
         << drawn(R"(<rect class="{}" x="{:.1f}" y="{:.1f}" width="9" height="9"/>)", own ? "task own" : "task",
-                 to.x(task.after->x) - 4.5, to.y(task.after->y) - 4.5)
-        << label(to.x(task.after->x) + 8.0, to.y(task.after->y) + 4.0, "task-name",
-                 visible_at_most(role_name(team, task.role), 20));
+                 to.x(task.after->x) - 4.5, to.y(task.after->y) - 4.5);
+    labels.take(to.x(task.after->x), to.y(task.after->y), 4.5);
+    labels.add(to.x(task.after->x), to.y(task.after->y), 4.5, visible_at_most(role_name(team, task.role), 20),
+               of_tasks);
   }
   return out;
+}
+
+// Returns how far robots stand beside the carpet, m: penalised robots wait there.
+double outside_of(const RecordedMatch& match, const RecordedGame& game, double half_width) {
+  constexpr double farthest = 1.0, name = 0.25;  // m; a damaged recording may have any pose; room for a label
+  double out = 0.0;
+  for (const std::size_t side : {0u, 1u}) {
+    for (const RecordedPose& each : game.robots[side])
+      out = std::max(out, std::abs(each.y) + match.teams()[side].robot_radius + name - half_width);
+  }
+  return std::min(out, farthest);
 }
 
 constexpr Markup style = R"(<style>
@@ -143,7 +170,7 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 .robot .body{stroke:#fff;stroke-width:1}.robot path{stroke:#1b1f24;stroke-width:2}.fallen{stroke:#1b1f24;stroke-width:2.5}
 .home .body{fill:#0072b2}.away .body{fill:#d55e00}.home text,.away text{fill:#fff}.penalised{opacity:.3}
 .chosen{fill:none;stroke:#1b1f24;stroke-width:2.5}.ball{fill:#1b1f24;stroke:#fff;stroke-width:1.5}
-.role{text-anchor:middle;font-size:10.5px;fill:#4a545e}
+.lead{stroke:#4a545e;stroke-opacity:.7;fill:none}.role{text-anchor:middle;font-size:10.5px;fill:#4a545e}
 .ghost .body,circle.ghost{fill:none;stroke-width:1.4;stroke-dasharray:4 3}.ghost path{stroke-width:1.2}.other path{display:none}
 .of-home .mate *,.of-away .other *{stroke:#0072b2}.of-away .mate *,.of-home .other *{stroke:#d55e00}
 .of-home .mate text{fill:#0072b2;stroke:#fff}.of-away .mate text{fill:#b34f00;stroke:#fff}.believed-ball{stroke:#1b1f24}
@@ -152,7 +179,7 @@ text{font-family:"Helvetica Neue",Arial,"DejaVu Sans",sans-serif;font-size:12px;
 .age{text-anchor:middle;font-size:9.5px;fill:#4a545e}
 .edge{stroke:#009e73;stroke-opacity:.45;fill:none}.waypoint{fill:#009e73}
 .offset{stroke:#a04a86;fill:none}.before{fill:#fff;stroke:#a04a86}.task{fill:#cc79a7}.own{stroke:#1b1f24;stroke-width:1.8}
-.task-name{font-size:10.5px;fill:#8a3a70}
+.task-name{text-anchor:middle;font-size:10.5px;fill:#8a3a70}
 .cell{stroke:#fff}.forbidden{fill:#e9ebee}.taken{fill:none;stroke:#d55e00;stroke-width:2.5}
 .value{text-anchor:middle;font-size:11.5px}.light{fill:#fff}.row{text-anchor:end}.own-row{font-weight:700}.column{font-size:11px}
 .term{font-size:11.5px;fill:#4a545e}
@@ -170,7 +197,9 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   Scale to{margin, head, 0.0, field.length / 2.0 + field.border_strip, field.width / 2.0 + field.border_strip};
   const double room = width - 2.0 * margin - (robot ? panel_width + margin : 0.0);
   to.per_metre = room / (2.0 * to.half_length);
-  const double bottom = to.top + 2.0 * to.half_width * to.per_metre;
+  const double outside = outside_of(match, moment.game, to.half_width) * to.per_metre;
+  to.top += outside;
+  const double below = to.top + 2.0 * to.half_width * to.per_metre, bottom = below + outside;
   const Panel beside = robot ? panel(match, moment, *robot, width - panel_width, head) : Panel{};
   const Panel legend = names_of_layers(moment.drawings, margin, bottom + 57.0);
   const double height = std::max(robot ? legend.bottom : bottom + 20.0, beside.bottom + 20.0);
@@ -190,17 +219,19 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
                                                    : fmt::format(", {} of {}", words_of(game.set_play), game.kicking),
                            game.packets_left[0], game.packets_left[1]));
   out << field_lines(field, to);
+  Labels labels;
+  const Area area{0.0, head - 8.0, 2.0 * margin + room, bottom + 8.0};
   if (robot) {
     const RecordedTeam& team = match.teams()[static_cast<std::size_t>(robot->side)];
     out << layers(moment.drawings, to);
-    if (moment.decision) out << planned(*moment.decision, team, to);
-    out << truth(match, game, robot, to);
+    if (moment.decision) out << planned(*moment.decision, team, to, labels);
+    out << truth(match, game, robot, to, labels);
     const bool common = moment.decision && moment.decision->knowledge == "common";
     if (moment.belief) {
       const RecordedWorld& world = common && moment.belief->common ? *moment.belief->common : moment.belief->mine;
-      out << believed(world, moment.belief->pose, team, *robot, to);
+      out << believed(world, moment.belief->pose, team, *robot, to, labels);
     }
-    out << beside.drawing
+    out << labels.written(area) << beside.drawing
         << label(margin, bottom + 20.0, "small",
                  "filled: the truth (home round, away square, crossed out: fallen); dashed: what the robot believes, "
                  "with "
@@ -209,7 +240,7 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
                  "the news and two standard deviations; green: waypoints; purple: tasks before and after the offset")
         << legend.drawing;
   } else {
-    out << truth(match, game, robot, to);
+    out << truth(match, game, robot, to, labels) << labels.written(area);
   }
   return (out << "</svg>\n"_html).str();
 }
