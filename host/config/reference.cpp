@@ -220,6 +220,7 @@ Json definitions() {
          {reference("line"),
           {{"type", "object"}, {"additionalProperties", {{"type", "number"}}}, {"minProperties", 1}}}}}},
       {"tuned", tuned_paths()},
+      {"points", list_of({{"type", "object"}, {"additionalProperties", {{"type", "number"}}}})},
       {"params", {{"type", "object"}}},
       {"use",
        {{"type", "object"},
@@ -246,6 +247,7 @@ constexpr std::array forms{
     Form{"measured",
          "The name of a number of a match ([metrics.md](metrics.md)), or a map from such names to weights."},
     Form{"tuned", "A list of paths, each as a text or as `{path: PATH, range: [least, largest]}`."},
+    Form{"points", "A list of maps from paths of parameters to numbers: `[{utility.terms.distance.weight: 0.4}]`."},
     Form{"plugin",
          "`{plugin: ID, params: {NAME: VALUE}}`: a plugin of that kind with its parameters "
          "([plugin-reference.md](plugin-reference.md)). `file: FILE` beside it names a certain shared object, instead "

@@ -63,6 +63,20 @@ Field tuned_paths(std::string key, std::vector<TunedPath>& paths, std::string do
               [&paths] { return sequence_of(paths, [](const TunedPath& each) { return written(each); }); }}};
 }
 
+Field points(std::string key, std::vector<Node>& points, std::string doc) {
+  const auto read_points = [&points](const Node& node, const std::string& what, Mistakes& mistakes) {
+    elements_of(node, what, "a list of maps from paths to numbers");
+    points.clear();
+    attempt_each(node, what, mistakes, [&](const Node& point, const std::string& path, std::size_t) {
+      if (point.kind() != Node::Kind::map) refuse_kind(point, path, "a map from paths to numbers");
+      for (const Node::Entry& each : point.entries()) to_real(each.value, path + '.' + each.key);
+      points.push_back(point);
+    });
+  };
+  return {std::move(key), std::move(doc),
+          Own{"points", read_points, [&points] { return points.empty() ? Node() : Node::sequence(points); }}};
+}
+
 // Declares a key with a measure or with a map from measures to weights. otherwise() returns the default.
 template <class Otherwise>
 Field measured(std::string key, std::vector<TuningObjective::Term>& terms, std::string doc, Otherwise otherwise) {
@@ -129,6 +143,8 @@ static Map declare(Tuning::Search& search) {
                       "of matches with each opponent, for each point; without it what the algorithm wants"),
               integer("population", search.population, {4, 10000}, "1",
                       "points of a generation; without it the algorithm's own"),
+              points("start_from", search.start_from,
+                     "points that are evaluated first; the search begins at the best of them and the base team"),
           },
           &search.where};
 }

@@ -43,6 +43,7 @@ struct Tuning {
     std::optional<double> minutes;  // limit of wall time for the search, min
     std::optional<int> pairs;       // pairs of matches against each opponent for each evaluation
     std::optional<int> population;
+    std::vector<Node> start_from;  // points to evaluate first: each a map from paths of parameters to numbers
     Location where;
   };
   struct Selection {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <iterator>
 
 #include "config/scalar.hpp"
 #include "study/tuning/search.hpp"
@@ -87,10 +88,11 @@ class PairEvaluation {
   std::vector<SearchStep>& steps_;
 };
 
-SearchSettings settings_of(const TuningPlan& plan) {
+// start: where the search begins.
+SearchSettings settings_of(const TuningPlan& plan, const ParameterValues& start) {
   SearchSettings out;
-  out.start = point_of(plan, start_values(plan));
-  out.evaluations = plan.evaluations() - 1;  // the base team is evaluated first
+  out.start = point_of(plan, start);
+  out.evaluations = plan.evaluations() - 1 - plan.starts.size();  // base team and given points are evaluated first
   // Points that rounding makes equal cost no matches. So algorithms that do not divide the budget into steps beforehand
   // may ask for more points.
   constexpr std::uint64_t most_repeats = 4;
@@ -169,9 +171,16 @@ SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out
   const TuningPlan& plan = source.plan;
   const std::uint64_t pairs = plan.pairs_of_evaluation(), matches = pairs * plan.matches_of_pair();
   PairEvaluation evaluation(source, pairs, steps);
-  evaluation.of({start_values(plan)}, 0);
+  std::vector<ParameterValues> first{start_values(plan)};
+  std::vector<double> values_of_first = evaluation.of(first, 0);
+  if (!plan.starts.empty()) {
+    first.insert(first.end(), plan.starts.begin(), plan.starts.end());
+    std::ranges::copy(evaluation.of(plan.starts, 0), std::back_inserter(values_of_first));
+  }
+  const auto best = std::ranges::max_element(values_of_first) - values_of_first.begin();
+  const ParameterValues& start = first[static_cast<std::size_t>(best)];
   std::string stopped;
-  SearchResult found = search(plan.algorithm(), settings_of(plan), [&](const Question& question) {
+  SearchResult found = search(plan.algorithm(), settings_of(plan, start), [&](const Question& question) {
     if (steps.back().matches + matches > plan.evaluations() * matches) {
       stopped = "budget used up";
     } else if (out_of_time && out_of_time(steps.size())) {

@@ -123,6 +123,7 @@ template <Like<TuningPlan> Plan, class Visit>
 static void fields(Plan& plan, Visit& visit) {
   visit("team_document", plan.document);
   visit("parameters", plan.parameters);
+  visit.maybe("starts", plan.starts);
   visit("opponents", plan.opponents);
   visit("base", plan.base);
   visit("openings", plan.openings);
@@ -348,7 +349,10 @@ bool sound(const TuningPlan& plan) {
          within(plan.pairs, plan.search_pairs, most_pairs) && within(1, plan.selection_pairs, most_pairs) &&
          within(0, plan.verification_pairs, most_pairs) &&
          std::ranges::all_of(plan.parameters, [](const Parameter& each) { return sound(each); }) &&
-         plan.evaluations() > least_evaluations(plan.algorithm(), plan.free_parameters(), population);
+         std::ranges::all_of(plan.starts,
+                             [&](const ParameterValues& each) { return each.size() == plan.parameters.size(); }) &&
+         plan.evaluations() >
+             plan.starts.size() + least_evaluations(plan.algorithm(), plan.free_parameters(), population);
 }
 
 std::string to_json(const TuningPlan& plan) { return plan_text(tuning_study, plan); }

@@ -63,6 +63,7 @@ struct TuningPlan {
   std::vector<TuningOpponent> opponents;
   TuningOpponent base;                   // the base team as an opponent
   std::vector<Opening> openings;         // all scenes of the document; empty: matches start with kick-off
+  std::vector<ParameterValues> starts;   // the points of search.start_from
   int most_goals = 0;                    // largest goal difference that a match can have, also a forfeit
   std::uint64_t search_pairs = 0;        // most pairs of the whole search, against each opponent
   std::uint64_t pairs = 1;               // pairs for each point; see pairs_of_evaluation()

@@ -123,6 +123,29 @@ class TuningPlanner {
         config::override_with(*team_, config::typed_overrides(settings_of(plan_, start_values(plan_))));
     config::read_document<config::Team>(document);
     plan_.document = config::show(document, declarations, config::Remarks::without);
+    for (const config::Node& each : plan_.asked.search.start_from) plan_.starts.push_back(point_given(each));
+  }
+
+  // Returns the values of a point of search.start_from. A parameter that the point does not name has the base team's
+  // value.
+  ParameterValues point_given(const config::Node& point) const {
+    ParameterValues out = start_values(plan_);
+    const std::vector<std::string> known = texts::names_of(plan_.parameters, &Parameter::path);
+    for (const config::Node::Entry& each : point.entries()) {
+      const auto found = std::ranges::find(known, each.key);
+      if (found == known.end())
+        throw config::Error(each.key_where, texts::unknown("parameter", each.key, "search.start_from", known));
+      const Parameter& parameter = plan_.parameters[static_cast<std::size_t>(found - known.begin())];
+      const double value = config::to_real(each.value, each.key);
+      if (value < parameter.least || value > parameter.most) {
+        throw config::Error(
+            each.value.where(),
+            fmt::format("search.start_from: {}: {} is outside {} to {}", each.key, config::real_text(value),
+                        config::real_text(parameter.least), config::real_text(parameter.most)));
+      }
+      out[static_cast<std::size_t>(found - known.begin())] = value;
+    }
+    return values_of(plan_, point_of(plan_, out));  // rounded as the points of the search
   }
 
   void count_goals(const std::vector<config::Opening>& scenes) {
@@ -163,7 +186,8 @@ class TuningPlanner {
                                : replicates(plan_.search_pairs, plan_.free_parameters());
     // One more evaluation is for the base team.
     const std::uint64_t least =
-        1 + least_evaluations(plan_.algorithm(), plan_.free_parameters(), static_cast<std::size_t>(plan_.population()));
+        1 + plan_.starts.size() +
+        least_evaluations(plan_.algorithm(), plan_.free_parameters(), static_cast<std::size_t>(plan_.population()));
     if (plan_.evaluations() >= least) return;
     const std::uint64_t each = plan_.pairs_of_evaluation() * pair;
     require_matches("search.matches", least * each,

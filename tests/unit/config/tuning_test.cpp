@@ -48,7 +48,7 @@ opponent_disturbance: other.yaml
 openings: [scenes, two.yaml]
 limit: 120
 set: {tasks.keep: all, rules.messages.budget: 600}
-search: {algorithm: spsa, matches: 500, minutes: 2.5, pairs: 3, population: 20}
+search: {algorithm: spsa, matches: 500, minutes: 2.5, pairs: 3, population: 20, start_from: [{x: 1}, {y: -2.5, z: 0}]}
 selection: {finalists: 6, matches: 90}
 verification: {candidates: 2, matches: 800, against: base, confidence: 0.99}
 slices: {points: 9, pairs: 5}
@@ -65,6 +65,8 @@ TEST_F(TuningDocument, EveryKey) {
   EXPECT_EQ(tuning.opponents[1].team, absolute("teams/c d.yaml"));
   EXPECT_EQ(tuning.opponents[1].weight, 1.0);
   EXPECT_EQ(tuning.opponents[1].where.line, 6);
+  ASSERT_EQ(tuning.search.start_from.size(), 2u);
+  EXPECT_EQ(tuning.search.start_from[1]["y"].text(), "-2.5");
   ASSERT_EQ(tuning.parameters.size(), 3u);
   EXPECT_EQ(tuning.parameters[0].pattern, "utility.terms.*.weight");
   EXPECT_FALSE(tuning.parameters[0].range);

@@ -43,6 +43,7 @@ TuningPlan every_value() {
   plan.parameters[2].log_scale = true;
   plan.parameters[2].least = 1.0 / 3.0;
   plan.openings = {{"scene.yaml", {"scene", "hash"}}, {"other.yaml", {"other", "hash 2"}}};
+  plan.starts = {{0.1, 2.0, 0.5}, {0.2, 3.0, 0.75}};
   plan.most_goals = 9;
   plan.search_pairs = 77;
   plan.pairs = 3;
@@ -62,6 +63,7 @@ TEST(TuningPlan, IsReadAsItWasWritten) {
     EXPECT_EQ(to_json(read), to_json(plan));
     EXPECT_THAT(differences(plan, read), IsEmpty());
     EXPECT_EQ(read.parameters, plan.parameters);
+    EXPECT_EQ(read.starts, plan.starts);
     EXPECT_EQ(read.document, plan.document);
     EXPECT_EQ(read.asked.search.minutes, plan.asked.search.minutes);
     EXPECT_EQ(read.objective, plan.objective);

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -91,6 +92,30 @@ TEST(SearchOverPairs, KeepsWhatEverySetOfPairsSaid) {
   EXPECT_EQ(found.worst, worst);
   EXPECT_FALSE(seen_in_search(found.scores, {0.123}, plan.confidence()));
   EXPECT_LE(steps.back().matches, plan.search_pairs * plan.matches_of_pair());
+}
+
+TEST(SearchOverPairs, BeginsAtTheBestOfTheGivenPoints) {
+  // Two hills: a local algorithm climbs the one at which it begins, and the base team, at 0.5, stands beside the lower.
+  const auto hills = [](const ParameterValues& values) {
+    const double x = values[0];
+    return std::max(2.0 - 20.0 * std::abs(x - 0.4), 8.0 - 20.0 * std::abs(x - 0.95));
+  };
+  const auto best_after = [&](const std::vector<ParameterValues>& starts) {
+    TuningPlan plan = tuning_of(1, 1, Algorithm::sbplx);
+    plan.pairs = 1;
+    plan.starts = starts;
+    Source of(plan, 0.0);
+    FakeMatches matches(of.plan, hills, 0.0);
+    const PlayRound play = matches.hook();
+    std::vector<SearchStep> steps;
+    const SearchFindings found = search_over_pairs({of.plan, of.document, play, of.tally}, {}, steps);
+    EXPECT_EQ(steps[0].values, ParameterValues{0.5}) << "the base team is still the first";
+    for (std::size_t i = 0; i < starts.size(); ++i) EXPECT_EQ(steps[i + 1].values, starts[i]);
+    EXPECT_LE(steps.back().matches, plan.search_pairs * plan.matches_of_pair());
+    return found.recommended.front()[0];
+  };
+  EXPECT_NEAR(best_after({}), 0.4, 0.1);
+  EXPECT_NEAR(best_after({{0.1}, {0.9}, {0.2}}), 0.95, 0.05);
 }
 
 TEST(SearchOverPairs, OutOfTimeIsAskedBeforeEveryQuestionButTheFirst) {
