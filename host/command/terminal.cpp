@@ -121,44 +121,64 @@ Interruption::~Interruption() {
 
 int Interruption::signal_number() const { return request; }
 
-void complain(std::string_view message) { say(fmt::format("regista: {}\n", texts::one_line(message))); }
+namespace {
+
+// Whether standard error shows colours. NO_COLOR: the convention of https://no-color.org.
+bool shows_colours() {
+  const char* const no_colour = std::getenv("NO_COLOR");
+  return can_rewrite() && (no_colour == nullptr || *no_colour == '\0');
+}
+
+// style: parameters of Select Graphic Rendition (ECMA-48), "1;31" is bold and red.
+void complain_in(const char* style, std::string_view message) {
+  const std::string line = texts::one_line(message);
+  say(shows_colours() ? fmt::format("\x1b[{}mregista:\x1b[0m {}\n", style, line) : fmt::format("regista: {}\n", line));
+}
+
+void complain_of_error(std::string_view message) { complain_in("1;31", message); }
+
+}  // namespace
+
+void complain(std::string_view message) {
+  complain_in(message.find(": warning: ") == std::string_view::npos ? "1" : "1;33", message);
+}
 
 int explain_current_exception() {
   try {
     throw;
   } catch (const BadInput& error) {
-    complain(error.what());
+    complain_of_error(error.what());
     return exit_bad_input;
   } catch (const config::Error& error) {
-    complain(error.what());
+    complain_of_error(error.what());
     return exit_bad_input;
   } catch (const plugin::Failure& error) {
-    complain(error.what());
+    complain_of_error(error.what());
     return exit_bad_input;
   } catch (const Interrupted& error) {
-    complain(error.what());
+    complain_of_error(error.what());
     return exit_by_signal(error.signal_number);
   } catch (const output::ReaderGone&) {
     return exit_by_signal(SIGPIPE);  // the reader closed the pipe on purpose, so no message
   } catch (const output::WriteError& error) {
-    complain(error.what());
+    complain_of_error(error.what());
     return exit_no;
   } catch (const std::filesystem::filesystem_error& error) {
     // Another program removed a folder while this program used the folder.
-    complain(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
-                         error.code().message()));
+    complain_of_error(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
+                                  error.code().message()));
     return exit_bad_input;
   } catch (const std::bad_alloc&) {
-    complain("there is not enough memory");
+    complain_of_error("there is not enough memory");
     return exit_no;
   } catch (const std::system_error& error) {  // for example: the system's limit of open files is reached
-    complain(error.what());
+    complain_of_error(error.what());
     return exit_no;
   } catch (const std::exception& error) {
-    complain(fmt::format("internal error: {}", error.what()));
+    complain_of_error(fmt::format("internal error: {}", error.what()));
     return exit_internal;
   } catch (...) {
-    complain("internal error: something that is no exception was thrown");
+    complain_of_error("internal error: something that is no exception was thrown");
     return exit_internal;
   }
 }

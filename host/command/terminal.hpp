@@ -77,7 +77,8 @@ struct Interrupted : std::runtime_error {
   int signal_number;
 };
 
-// Writes "regista: message" to standard error. The output is one line, even if `message` contains line breaks.
+// Writes "regista: message" to standard error. The output is one line, even if `message` contains line breaks. On a
+// terminal the first word is bold, yellow for a warning, and red in explain_current_exception().
 void complain(std::string_view message);
 
 // Must be called in a catch handler. Calls complain() for the handled exception and returns the exit code.

@@ -101,8 +101,8 @@ class Case(unittest.TestCase):
         return subprocess.Popen([str(self.program), *map(str, arguments)], text=True,
                                 env=self.environment(environment), stdin=subprocess.DEVNULL, **options)
 
-    def on_terminal(self, *arguments, columns=80, terminal="xterm", **options):
-        """What a terminal of so many columns got on standard error, and standard output, of what must succeed."""
+    def on_terminal(self, *arguments, columns=80, terminal="xterm", status=0, environment=None, **options):
+        """What a terminal of so many columns got on standard error, and standard output, of what must end so."""
         ours, theirs = pty.openpty()
         fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
         pieces = []
@@ -114,8 +114,8 @@ class Case(unittest.TestCase):
             except OSError:  # the other end is closed
                 pass
 
-        with self.start(*arguments, stdout=subprocess.PIPE, stderr=theirs, environment={"TERM": terminal},
-                        **options) as process:
+        with self.start(*arguments, stdout=subprocess.PIPE, stderr=theirs,
+                        environment={"TERM": terminal, **(environment or {})}, **options) as process:
             os.close(theirs)
             reader = threading.Thread(target=read)
             reader.start()
@@ -123,7 +123,7 @@ class Case(unittest.TestCase):
             process.wait(timeout=120)
             reader.join()
         os.close(ours)
-        self.assertEqual(process.returncode, 0)
+        self.assertEqual(process.returncode, status)
         return b"".join(pieces).decode(), out
 
     def run_program(self, *arguments, environment=None, timeout=PATIENCE, **options):

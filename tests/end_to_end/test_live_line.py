@@ -31,6 +31,16 @@ class LiveLine(program.Case):
         self.assertEqual(self.shown("--quiet"), "")
         self.assertEqual(self.shown(terminal="dumb"), "")
 
+    def test_the_first_word_of_a_message_has_a_colour_where_it_may(self):
+        def said(**options):
+            text, out = self.on_terminal("match", "nothing.yaml", "small.yaml", status=2, **options)
+            self.assertEqual(out, "")
+            return text
+
+        self.assertTrue(said().startswith("\x1b[1;31mregista:\x1b[0m nothing.yaml: no such file"), said())
+        for options in ({"terminal": "dumb"}, {"environment": {"NO_COLOR": "1"}}):
+            self.assertTrue(said(**options).startswith("regista: nothing.yaml: no such file"), said(**options))
+
 
 if __name__ == "__main__":
     unittest.main()
