@@ -33,10 +33,13 @@ Map declare(Tournament& tournament) {
           without_effect(required(name("tournament", tournament.name, "name of this tournament"))),
           without_effect(line("question", tournament.question, "what it is to answer")),
           required(list("teams", tournament.teams, 2, 1000, "that play")),
-          choice("format", tournament.format, {"round_robin", "gauntlet"},
-                 "of more than two teams: all against all, or the first against each of the others"),
+          choice("format", tournament.format, {"round_robin", "gauntlet", "swiss", "knock_out"},
+                 "of more than two teams: all against all, the first against each of the others, rounds of teams with "
+                 "about as many points, or the loser leaves"),
+          integer("rounds", tournament.rounds, {1, 999}, "1",
+                  "of a Swiss tournament; without it as many as a knock-out has"),
           integer("pairs", tournament.pairs, {1, 10000000}, "1",
-                  "of matches with the sides swapped, of each pairing; with a test: at most"),
+                  "of matches with the sides swapped, of each meeting; with a test: at most"),
           section("test", tournament.test, "a sequential test between two teams; without it all pairs are played"),
           integer("seed", tournament.seed, {0, largest_seed}, "1",
                   "of the pairs of matches; the same seed plays the same"),
@@ -56,6 +59,17 @@ void check(const Tournament& tournament, const Node& document, Mistakes& mistake
     wrong({"test", "teams"},
           "test: a sequential test is between two teams, and there are {}; pairs alone rank more of them",
           tournament.teams.size());
+  }
+  using enum Tournament::Format;
+  const bool in_rounds = tournament.format == swiss || tournament.format == knock_out;
+  if (in_rounds && tournament.teams.size() < 3) {
+    wrong({"format", "teams"}, "format: rounds are for three teams or more, and there are {}", tournament.teams.size());
+  }
+  if (tournament.rounds && tournament.format != swiss) {
+    wrong({"rounds"}, "rounds: belongs to `format: swiss`");
+  } else if (tournament.rounds && static_cast<std::size_t>(*tournament.rounds) >= tournament.teams.size()) {
+    wrong({"rounds"}, "rounds: {} teams have at most {} rounds until all have met", tournament.teams.size(),
+          tournament.teams.size() - 1);
   }
   const bool ends_by_itself = test && test->elo;
   if (!tournament.pairs && !ends_by_itself) {

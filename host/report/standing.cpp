@@ -74,13 +74,23 @@ PRange p_either_way(const study::Meeting& meeting, int most_goals) {
 PValues p_values(const study::Tournament& course) {
   PValues out;
   std::vector<double> least;
-  for (const study::Meeting& meeting : course.meetings()) {
+  std::vector<std::size_t> met;  // in a tournament in rounds, most pairings never meet and are not tested
+  for (std::size_t i = 0; i < course.meetings().size(); ++i) {
+    const study::Meeting& meeting = course.meetings()[i];
     const PRange p = p_either_way(meeting, course.most_goals());
     out.single.push_back(p.most);
     least.push_back(p.least);
+    if (course.calendar().rounds() == 0 || meeting.matches() > 0) met.push_back(i);
   }
-  out.adjusted = statistics::holm(out.single);
-  const std::vector<double> at_best = statistics::holm(least);
+  const auto corrected = [&met](const std::vector<double>& all) {
+    std::vector<double> of_met, result(all.size(), 1.0);
+    for (const std::size_t i : met) of_met.push_back(all[i]);
+    of_met = statistics::holm(of_met);
+    for (std::size_t k = 0; k < met.size(); ++k) result[met[k]] = of_met[k];
+    return result;
+  };
+  out.adjusted = corrected(out.single);
+  const std::vector<double> at_best = corrected(least);
   for (std::size_t i = 0; i < at_best.size(); ++i) {
     out.prevented.push_back(course.meetings()[i].unplayed_pairs > 0 && at_best[i] < significance_level &&
                             out.adjusted[i] >= significance_level);

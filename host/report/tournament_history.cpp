@@ -184,7 +184,7 @@ void TournamentHistory::take(const campaign::MatchResult* decided) {
     }
     first_of_pair_.reset();
   }
-  if (course_.taken() % (2 * course_.calendar().pairings().size()) != 0) return;
+  if (!course_.calendar().pairs_after(course_.taken())) return;
   if (plan_.teams.size() == 2) {
     pair_points_.offer([this] { return pair_point(); });
   } else if (plan_.teams.size() <= most_ranked) {
@@ -230,7 +230,7 @@ PairPoint TournamentHistory::pair_point() const {
 }
 
 RankingPoint TournamentHistory::ranking_point() const {
-  RankingPoint out{course_.taken() / 2 / course_.calendar().pairings().size(), {}};
+  RankingPoint out{course_.calendar().pairs_after(course_.taken()).value_or(0), {}};
   if (auto elo = statistics::bradley_terry_elo(points_won(plan_, course_))) out.elo = std::move(*elo);
   return out;
 }

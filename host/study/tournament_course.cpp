@@ -136,24 +136,84 @@ campaign::Metrics Tournament::metrics() const {
   return plan_.short_games() ? campaign::Metrics::packets : campaign::Metrics::left_out;
 }
 
-void Tournament::run(const PlayRound& play) {
-  Round round;
-  round.matches = calendar_.matches();
-  round.fixtures = fixtures(plan_);
-  round.at = [this](std::uint64_t index) -> std::optional<Round::Place> {
-    if (!wanted(index)) return std::nullopt;
-    const Fixture fixture = calendar_.at(index);
+Round Tournament::round(std::uint64_t first, std::uint64_t end) {
+  Round out;
+  out.first_row = first;
+  out.matches = end - first;
+  out.fixtures = fixtures(plan_);
+  out.at = [this, first](std::uint64_t index) -> std::optional<Round::Place> {
+    if (!wanted(first + index)) return std::nullopt;
+    const Fixture fixture = calendar_.at(first + index);
     return Round::Place{fixture.number, fixture.seed};
   };
-  round.job = [this](std::uint64_t index) { return job(plan_, calendar_.at(index)); };
-  round.take = [this](std::uint64_t, const campaign::MatchResult* decided) { return take(decided); };
-  round.may_end_early = !std::holds_alternative<FixedNumber>(objective_) || plan_.ended_after;
-  round.matches_of_a_pair = 2 * calendar_.pairings().size();
-  round.first_of_pairing = [this](std::uint64_t index) {
-    const Fixture fixture = calendar_.at(index);
-    return fixture.pair == 0 && !fixture.swapped;
+  out.job = [this, first](std::uint64_t index) { return job(plan_, calendar_.at(first + index)); };
+  out.take = [this](std::uint64_t, const campaign::MatchResult* decided) { return take(decided); };
+  out.may_end_early = !std::holds_alternative<FixedNumber>(objective_) || plan_.ended_after;
+  // A clock never stops a tournament in rounds, because its teams would have different numbers of matches.
+  out.matches_of_a_pair = calendar_.rounds() > 0 ? 0 : 2 * calendar_.pairings().size();
+  out.first_of_pairing = [this, first](std::uint64_t index) {
+    const Fixture fixture = calendar_.at(first + index);
+    return fixture.pair % plan_.pairs() == 0 && !fixture.swapped;
   };
-  play(round);
+  return out;
+}
+
+void Tournament::run(const PlayRound& play) {
+  if (calendar_.rounds() == 0) play(round(0, calendar_.matches()));
+  while (calendar_.drawn().size() < calendar_.rounds()) {
+    const std::uint64_t first = calendar_.drawn_matches();
+    calendar_.draw(next_round());
+    if (calendar_.drawn_matches() > first) play(round(first, calendar_.drawn_matches()));
+    if (next_ < calendar_.drawn_matches()) return;  // not played to its end
+  }
+}
+
+std::vector<std::size_t> Tournament::next_round() const {
+  std::vector<TeamPair> meetings;
+  if (plan_.asked.format == config::Tournament::Format::knock_out) {
+    meetings = knock_out_round(plan_.teams.size(), calendar_.drawn().size(),
+                               [this](const TeamPair& pair) { return winner(meetings_[calendar_.index_of(pair)]); });
+  } else {
+    meetings = swiss_round(swiss_standing()).meetings;
+  }
+  std::vector<std::size_t> out;
+  for (const TeamPair& each : meetings) out.push_back(calendar_.index_of(each));
+  return out;
+}
+
+std::size_t Tournament::winner(const Meeting& meeting) const {
+  const auto& [first, second] = meeting.pairing;
+  if (is_set_aside(first) != is_set_aside(second)) return is_set_aside(first) ? second : first;
+  const std::int64_t wins = meeting.games.seen[2], losses = meeting.games.seen[0];
+  if (wins != losses) return wins > losses ? first : second;
+  return meeting.goals[1] > meeting.goals[0] ? second : first;
+}
+
+SwissStanding Tournament::swiss_standing() const {
+  const std::size_t teams = plan_.teams.size();
+  SwissStanding out{std::vector<double>(teams, 0.0), std::vector<char>(teams, 1), std::vector<char>(teams, 0),
+                    std::vector(teams, std::vector<char>(teams, 0))};
+  for (std::size_t team = 0; team < teams; ++team) out.plays[team] = is_set_aside(team) ? 0 : 1;
+  for (const Meeting& meeting : meetings_) {
+    const auto& [first, second] = meeting.pairing;
+    const double even = 0.5 * static_cast<double>(meeting.games.seen[1]);
+    out.points[first] += static_cast<double>(meeting.games.seen[2]) + even;
+    out.points[second] += static_cast<double>(meeting.games.seen[0]) + even;
+  }
+  for (const std::vector<std::size_t>& round : calendar_.drawn()) {
+    std::vector<char> without(teams, 1);
+    for (const std::size_t pairing : round) {
+      const auto& [first, second] = meetings_[pairing].pairing;
+      without[first] = without[second] = 0;
+      out.met[first][second] = out.met[second][first] = 1;
+    }
+    for (std::size_t team = 0; team < teams; ++team) {
+      if (without[team] == 0) continue;
+      out.had_bye[team] = 1;
+      out.points[team] += 2.0 * static_cast<double>(plan_.pairs());  // as if it had won
+    }
+  }
+  return out;
 }
 
 std::uint64_t Tournament::matches() const {

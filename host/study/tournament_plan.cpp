@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -30,6 +31,7 @@ bool sound(const TournamentPlan& plan) {
     const bool own = !plan.asked.teams[i].disturbance.empty();
     if (plan.teams[i].disturbances.size() != (own ? 2u : 0u)) return false;
   }
+  if (plan.rounds() > 0 && (plan.ended_after || !plan.asked.pairs || plan.teams.size() < 3)) return false;
   if (plan.ended_after && (*plan.ended_after == 0 || *plan.ended_after > plan.pairs())) return false;
   return plan.pairs() <= UINT64_MAX / 2 / plan.pairings().size() && plan.most_goals >= 1;
 }
@@ -306,11 +308,25 @@ std::vector<Pairing> TournamentPlan::pairings() const {
   return out;
 }
 
+std::uint64_t TournamentPlan::rounds() const {
+  if (asked.format == config::Tournament::Format::knock_out) return knock_out_rounds(teams.size());
+  if (asked.format != config::Tournament::Format::swiss) return 0;
+  return asked.rounds ? static_cast<std::uint64_t>(*asked.rounds) : knock_out_rounds(teams.size());
+}
+
+std::uint64_t TournamentPlan::meetings() const {
+  if (asked.format == config::Tournament::Format::knock_out) return teams.size() - 1;
+  if (asked.format == config::Tournament::Format::swiss) return rounds() * (teams.size() / 2);
+  return pairings().size();
+}
+
 Calendar::Calendar(const TournamentPlan& plan)
     : pairings_(plan.pairings()),
       openings_(std::max<std::size_t>(plan.openings.size(), 1)),
-      drawn_(plan.asked.test.has_value()),
+      opening_by_chance_(plan.asked.test.has_value()),
       pairs_(plan.pairs()),
+      meetings_(plan.meetings()),
+      rounds_(plan.rounds()),
       first_seed_(plan.first_seed()) {}
 
 Fixture Calendar::of_number(std::size_t number) const {
@@ -326,13 +342,50 @@ Fixture Calendar::of_number(std::size_t number) const {
 }
 
 Fixture Calendar::at(std::uint64_t index) const {
-  const std::uint64_t pair = index / 2 / pairings_.size(), seed = first_seed_ + pair;
-  const auto pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
-  const std::size_t opening = drawn_ ? drawn_opening(seed, openings_) : static_cast<std::size_t>(pair % openings_);
+  std::uint64_t pair = 0;
+  std::size_t pairing = 0;
+  if (rounds_ == 0) {
+    pair = index / 2 / pairings_.size();
+    pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
+  } else {
+    assert(index < drawn_matches());
+    const auto round = static_cast<std::size_t>(std::ranges::upper_bound(first_of_round_, index) -
+                                                first_of_round_.begin() - 1);
+    const std::uint64_t in_round = (index - first_of_round_[round]) / 2;
+    pair = round * pairs_ + in_round / drawn_[round].size();
+    pairing = drawn_[round][static_cast<std::size_t>(in_round % drawn_[round].size())];
+  }
+  const std::uint64_t seed = first_seed_ + pair;
+  const std::size_t opening =
+      opening_by_chance_ ? drawn_opening(seed, openings_) : static_cast<std::size_t>(pair % openings_);
   Fixture out = of_number((2 * pairing + index % 2) * openings_ + opening);
   out.pair = pair;
   out.seed = seed;
   return out;
+}
+
+std::optional<std::uint64_t> Calendar::pairs_after(std::uint64_t matches) const {
+  if (rounds_ == 0) {
+    const std::uint64_t all = 2 * pairings_.size();
+    return matches % all == 0 ? std::optional(matches / all) : std::nullopt;
+  }
+  // A knock-out may have rounds without a match, so the last of equal ends counts.
+  const auto end = std::ranges::find(first_of_round_.rbegin(), first_of_round_.rend(), matches);
+  if (end == first_of_round_.rend()) return std::nullopt;
+  return static_cast<std::uint64_t>(first_of_round_.rend() - end - 1) * pairs_;
+}
+
+void Calendar::draw(std::vector<std::size_t> pairings) {
+  assert(drawn_.size() < rounds_);
+  first_of_round_.push_back(drawn_matches() + 2 * pairs_ * pairings.size());
+  drawn_.push_back(std::move(pairings));
+}
+
+std::size_t Calendar::index_of(const TeamPair& teams) const {
+  const auto found = std::ranges::find_if(
+      pairings_, [&](const Pairing& each) { return each.first == teams[0] && each.second == teams[1]; });
+  assert(found != pairings_.end());
+  return static_cast<std::size_t>(found - pairings_.begin());
 }
 
 std::optional<std::size_t> team_meant(const TournamentPlan& plan, const std::string& path) {
@@ -409,6 +462,10 @@ TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs) {
     throw std::invalid_argument(
         "it has a sequential test, whose error rates hold for the number of pairs that was fixed before the first "
         "match");
+  }
+  if (plan.rounds() > 0) {
+    throw std::invalid_argument(
+        "the draw of its later rounds depends on the number of pairs, so it cannot have more of them");
   }
   const std::uint64_t before = plan.pairs_to_its_end();
   if (pairs == before && !plan.ended_after) return plan;

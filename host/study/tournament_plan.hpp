@@ -26,6 +26,7 @@
 #include "plugin/catalogue.hpp"
 #include "statistics/sequential_test.hpp"
 #include "study/settings.hpp"
+#include "study/tournament_rounds.hpp"
 
 namespace regista::study {
 
@@ -80,12 +81,14 @@ struct TournamentPlan {
   std::string program;               // version of the program that began the tournament; empty: unknown
   std::vector<campaign::Input> common_inputs;
 
-  std::vector<Pairing> pairings() const;
-  std::uint64_t pairs() const;  // largest number of pairs that each pairing plays
+  std::vector<Pairing> pairings() const;  // all pairings that may meet
+  std::uint64_t pairs() const;  // largest number of pairs that each pairing plays, in rounds of each meeting
+  std::uint64_t rounds() const;  // 0: the schedule does not depend on results
   std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs()); }
   bool ends_by_the_clock_alone() const;  // true if the user set neither pairs nor a test
   std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
-  std::uint64_t matches() const { return 2 * pairs() * pairings().size(); }
+  std::uint64_t matches() const { return 2 * pairs() * meetings(); }
+  std::uint64_t meetings() const;  // number of meetings of two teams
   Objective objective() const { return objective_of(asked); }
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
   // Returns whether an opening or a limit may end matches earlier than whole matches.
@@ -102,22 +105,35 @@ struct Fixture {
   std::size_t number = 0;  // index into fixtures(); equal for matches that differ only in the seed
 };
 
-// The schedule of matches, which depends only on the plan. Each member function takes constant time.
+// The schedule of matches. Swiss and knock-out tournaments draw each round from the results of the rounds before; all
+// other schedules depend only on the plan.
 class Calendar {
  public:
   explicit Calendar(const TournamentPlan& plan);
+  // Precondition: the round of the match has been drawn.
   Fixture at(std::uint64_t index) const;
-  std::uint64_t matches() const { return 2 * pairs_ * pairings_.size(); }
+  std::uint64_t matches() const { return 2 * pairs_ * meetings_; }
   std::span<const Pairing> pairings() const { return pairings_; }
   // The fixture with this Fixture::number, with seed 0 and pair 0.
   Fixture of_number(std::size_t number) const;
   std::size_t fixtures() const { return 2 * pairings_.size() * openings_; }
+  // Returns the number of pairs that each team or meeting has behind it after so many matches, if they are equal for all.
+  std::optional<std::uint64_t> pairs_after(std::uint64_t matches) const;
+
+  // Rounds: the indices of the pairings that meet.
+  std::uint64_t rounds() const { return rounds_; }  // 0: the schedule does not depend on results
+  std::span<const std::vector<std::size_t>> drawn() const { return drawn_; }
+  void draw(std::vector<std::size_t> pairings);
+  std::uint64_t drawn_matches() const { return first_of_round_.back(); }
+  std::size_t index_of(const TeamPair& teams) const;
 
  private:
   std::vector<Pairing> pairings_;
   std::size_t openings_;
-  bool drawn_;  // drawn_opening() selects the openings
-  std::uint64_t pairs_, first_seed_;
+  bool opening_by_chance_;  // drawn_opening() selects the openings
+  std::uint64_t pairs_, meetings_, rounds_, first_seed_;
+  std::vector<std::vector<std::size_t>> drawn_;
+  std::vector<std::uint64_t> first_of_round_{0};  // index of the first match of each drawn round, and of the next round
 };
 
 // The team whose letter() is the first key of a path of the study's `set`; nullopt: the path is for all teams.
