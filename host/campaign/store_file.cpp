@@ -103,8 +103,8 @@ class StoreFile::Hold {
     std::error_code none;
     if (const auto size = std::filesystem::file_size(file + "-journal", none); !none && size > 0) {
       throw StoreRefusal(
-          fmt::format("{}: who wrote to it was killed; opened for writing, as by regista resume or gather, "
-                      "it is whole again",
+          fmt::format("{}: the process that wrote to it was killed; open it for writing to repair it, "
+                      "as regista resume and gather do",
                       file));
     }
   }

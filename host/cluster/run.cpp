@@ -241,7 +241,7 @@ int run_on_cluster(const Options& options, const campaign::Options& campaign, co
     command::say(fmt::format("{}: {}\n", name_of(folder), in_words(step.progress.batches.back())));
     if (step.round < step.progress.matches)
       command::say(
-          fmt::format("the study asks for {} matches at a time, by what came of those before: more tasks than "
+          fmt::format("the study asks for {} matches at a time and chooses them by the results so far: more tasks than "
                       "that gain nothing\n",
                       step.round));
   }

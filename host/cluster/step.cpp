@@ -186,7 +186,7 @@ void require_same_results_here(const StudyFolder& folder, const campaign::Store&
   const std::string different = what_differs_here(report->study());
   if (different.empty()) return;
   throw command::BadInput(
-      fmt::format("this machine is none to go on with the study: {}; on one of its nodes: {}", different,
+      fmt::format("this machine cannot go on with the study: {}; run this on one of its nodes: {}", different,
                   process::shell_line({folder.program().string(), "gather", folder.root().string()})));
 }
 

@@ -35,7 +35,7 @@ Whom to_whom(const Node& node, const std::string& what, Mistakes& mistakes) {
     attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
       const int number = robot_number(element, path);
       if (std::ranges::find(whom.numbers, number) != whom.numbers.end()) {
-        throw Error(element.where(), fmt::format("{}: {} stands there twice", what, number));
+        throw Error(element.where(), fmt::format("{}: {} is given twice", what, number));
       }
       whom.numbers.push_back(number);
     });

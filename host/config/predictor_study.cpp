@@ -59,7 +59,7 @@ Map declare(PredictorStudy& study) {
       required(section("field", study.field, "of the recording")),
       real("robot_radius", study.robot_radius, {0.01, 2}, "m", "of the recording's robots"),
       section("camera", study.camera, "what the recording's detections are like"),
-      section("observations", study.observations, "what of the recording the predictor is shown, as in packets"),
+      section("observations", study.observations, "which part of the recording the predictor is shown, as in packets"),
       section("questions", study.questions, "when it is asked, and what"),
       required(section("baselines", study.baselines, "what it is compared with")),
   }};

@@ -99,7 +99,8 @@ std::vector<MetricRow> numbers_of_roles() {
       sum("overlap_seconds", "s", {}, "`h_r >= 2`", [](const Source& from) { return from.role().all.overlap_seconds; }),
       sum("uncovered_seconds", "s", {},
           "`h_r = 0` though the role was wanted: it is in the list in force, its place in that list (from 0) is below "
-          "`R`, `R` is at least its `least_in_play`, and one of the robots it is bound to, if any, is active. In force is the list in which most active robots hold "
+          "`R`, `R` is at least its `least_in_play`, and one of the robots it is bound to, if any, is active. In force "
+          "is the list in which most active robots hold "
           "a role; while nobody holds one, none",
           [](const Source& from) { return from.role().all.uncovered_seconds; }),
       sum("switches", "times", {}, "a robot takes the role in Playing that it did not hold at its last decision",
@@ -330,7 +331,8 @@ std::vector<MetricRow> numbers_of_soccer() {
             "the next robot to touch the ball after one of the team is another one of the team, more than 0.5 m from "
             "where it was touched last; nobody put the ball down in between",
             &PlayMetrics::passes),
-      count("interceptions", {"Interceptions", 1}, "the same, but the robot before was an opponent; a save is none",
+      count("interceptions", {"Interceptions", 1},
+            "the same, but the robot before was an opponent; a save is not an interception",
             &PlayMetrics::interceptions),
       count("meant_passes", {"Meant passes", 1},
             "kicks that reached the ball and of which the behaviour said that they are meant for a teammate (extension "
@@ -342,12 +344,13 @@ std::vector<MetricRow> numbers_of_soccer() {
             &PlayMetrics::meant_passes_arrived),
       count("meant_passes_intercepted", {"Meant passes that were intercepted", 1}, "the same, but it is an opponent",
             &PlayMetrics::meant_passes_intercepted),
-      count("clearances", {"Clearances", 1},
-            "kicks in open play of a ball in the own third, `x < -length / 6` in the field frame of the team, that are "
-            "neither a meant pass nor a shot, and after which the ball leaves that third or gets 2 m farther away from "
-            "the centre of the own goal than it lay, before another robot touches it. Assumption: whoever kicks the "
-            "ball out of there for nobody in particular clears it; a goal kick is none",
-            &PlayMetrics::clearances),
+      count(
+          "clearances", {"Clearances", 1},
+          "kicks in open play of a ball in the own third, `x < -length / 6` in the field frame of the team, that are "
+          "neither a meant pass nor a shot, and after which the ball leaves that third or gets 2 m farther away from "
+          "the centre of the own goal than it lay, before another robot touches it. Assumption: a robot that kicks the "
+          "ball out of there for no particular teammate clears it; a goal kick is not a clearance",
+          &PlayMetrics::clearances),
       count("duels_won", {"Duels won", 1},
             "of the `duels` of the match: the team is the first to touch the ball once the duel is over, or scores out "
             "of it",

@@ -219,8 +219,8 @@ std::string reference_text(const Catalogue& catalogue) {
   std::ranges::stable_sort(plugins, {}, [](const Found* plugin) { return std::string_view(plugin->descriptor->id); });
 
   std::string out =
-      "# Plugins\n\nWritten by `regista plugin reference` from what the plugins declare about themselves. How to write "
-      "one is said in\n[plugins.md](plugins.md).\n";
+      "# Plugins\n\nWritten by `regista plugin reference` from what the plugins declare about themselves. "
+      "[plugins.md](plugins.md) says\nhow to write one.\n";
   for (const Chapter& chapter : chapters) {
     out += fmt::format("\n## {}\n\n{}\n", chapter.title, chapter.question);
     for (const Found* plugin : plugins) {

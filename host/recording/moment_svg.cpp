@@ -260,7 +260,7 @@ std::optional<Number> number_in(std::string_view text) {
 Moment parse_moment(const std::string& typed) {
   const auto refuse = [&] {
     throw config::BadInput(
-        fmt::format("--at: {}; wanted is the time since the match began, 7:42 or 462.3, or the clock of a half, 2/7:42",
+        fmt::format("--at: {}; expected the time since the match began, 7:42 or 462.3, or the clock of a half, 2/7:42",
                     texts::in_quotes(typed)));
   };
   Moment out;
@@ -299,7 +299,7 @@ RobotName parse_robot(const std::string& typed, int team_size) {
   }
   const auto number = number_in<int>(rest);
   if (!number || *number < 1 || *number > team_size) {
-    throw config::BadInput(fmt::format("--robot: {}; wanted is 1 to {}, home/1 to home/{} or away/1 to away/{}",
+    throw config::BadInput(fmt::format("--robot: {}; expected 1 to {}, home/1 to home/{} or away/1 to away/{}",
                                        texts::in_quotes(typed), team_size, team_size, team_size));
   }
   out.number = *number;

@@ -232,7 +232,8 @@ std::vector<std::string> finding_sentences(const ExperimentView& view) {
   const auto open = [](const study::Tested& each) { return each.adjusted && !each.found && !each.prevented; };
   if (std::ranges::any_of(all.comparisons, open)) {
     out.push_back(
-        "\"No difference was found\" does not show that there is none: the interval says how large one may be.");
+        "Where no difference was found, there may still be a smaller difference: the interval shows how large it may "
+        "be.");
   }
   out.push_back(fmt::format(
       "The plan fixed the test before the first match: {} of the differences{} of pairs, {} at {:.4g} %, two-sided, "

@@ -202,7 +202,7 @@ std::string none_found(const study::ExperimentPlan& plan, const std::vector<cons
         "No trend of {} over {} was found, and no difference {}. There may still be smaller differences.",
         texts::visible(plan.primary()), texts::visible(plan.sweep()), where);
   }
-  return fmt::format("No difference in {} was found {}. This does not show that there is none.",
+  return fmt::format("No difference in {} was found {}. There may still be a smaller difference.",
                      texts::visible(plan.primary()), where);
 }
 

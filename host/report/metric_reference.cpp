@@ -163,7 +163,7 @@ std::string with_metric_tables(std::string_view page, std::span<const MetricRow>
     if (!line.starts_with(marker) || !line.ends_with(end_of_marker)) continue;
     const std::string_view part = line.substr(marker.size(), line.size() - marker.size() - end_of_marker.size());
     if (std::erase(missing, part) == 0) {
-      throw std::invalid_argument(fmt::format("\"{}\" is no part of the metrics, or stands there twice", part));
+      throw std::invalid_argument(fmt::format("\"{}\" is no part of the metrics, or is given twice", part));
     }
     out += '\n' + markdown_table(part, table);
     // Skips the old table of this part.

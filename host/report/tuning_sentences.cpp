@@ -134,8 +134,9 @@ std::string finding_text(const TuningView& view, const CandidateVerdict& each) {
   if (each.forfeited && each.adjusted <= 1.0 - view.plan.confidence()) {
     return "not found better, because it forfeited a match of the verification";
   }
-  return over ? fmt::format("no difference from the base team was found in {}, which does not show that there is none",
-                            pairs_in_words(view.record.verification.pairs()))
+  return over ? fmt::format(
+                    "no difference from the base team was found in {}, but there may still be a smaller difference",
+                    pairs_in_words(view.record.verification.pairs()))
               : std::string("not decided yet");
 }
 
@@ -194,7 +195,8 @@ std::string headline_of_tuning(const TuningView& view, const std::vector<Candida
     return "The tuned team was not found better: it forfeited a match of the verification.";
   }
   return fmt::format(
-      "No difference between the tuned team and the base team was found in {}. This does not show that there is none.",
+      "No difference between the tuned team and the base team was found in {}. There may still be a smaller "
+      "difference.",
       pairs_in_words(record.verification.pairs()));
 }
 

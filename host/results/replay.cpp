@@ -357,7 +357,7 @@ std::optional<fs::path> write_page_beside(const StoredResults& results, bool fig
     std::error_code error;
     const bool exists = fs::exists(page, error);
     if (exists && !is_our_page(page)) {
-      command::complain(fmt::format("no page is written: {} is none of Regista's pages, and stays", page.string()));
+      command::complain(fmt::format("no page was written: Regista did not write {}, so the file stays", page.string()));
       return std::nullopt;
     }
     options.page = page;

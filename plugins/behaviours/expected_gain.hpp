@@ -33,7 +33,7 @@ struct GainSettings {
   double patience = 4.0;           // s at a ball that lies, after which each second of hurry costs more
   double impatience = 0.05;        // worth of each second until the kick, for each second beyond that
   double constancy = 0.05;         // worth of keeping to the last choice
-  double receiver_age = 4.0;       // s: nobody passes to a teammate of whom the news are older
+  double receiver_age = 4.0;       // s: no pass to a teammate whose news are older
   double into_space = 0.4;         // m in front of the teammate at which passes are aimed
   double considered_within = 2.0;  // m: from farther away the kick is not chosen yet
   double shortest_pass = 1.0;      // m

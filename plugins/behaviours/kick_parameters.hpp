@@ -37,13 +37,13 @@ inline constexpr std::tuple kick_parameters{
                   "A pass is worth this much of ground besides, because the ball arrives at somebody; our choice: 0.5")
         .tunable(),
     regista::real("teammate_news_at_most", &KickSettings::teammate_news_at_most, {0.0, 60.0}, "s",
-                  "Nobody passes to a teammate of whom the news are older; our choice: 6")
+                  "The robot does not pass to a teammate whose news are older; our choice: 6")
         .tunable(),
     regista::real("pass_ahead", &KickSettings::pass_ahead, {-2.0, 2.0}, "m",
                   "Passes are aimed this far in front of the teammate, towards the opponent's end; our choice: 0.3")
         .tunable(),
     regista::real("shortest_pass", &KickSettings::shortest_pass, {0.0, 5.0}, "m",
-                  "Nobody passes to a place that is nearer to the ball; our choice: 1")
+                  "The robot does not pass to a place that is nearer to the ball; our choice: 1")
         .tunable(),
     regista::real("pass_miss", &KickSettings::pass_miss, {0.0, 5.0}, "m",
                   "No pass is played with a kick that ends farther short of its aim, or beyond it; our choice: 0.7")
@@ -131,7 +131,7 @@ inline constexpr std::tuple play_parameters{
                       "The last choice is kept unless another kick is worth so much more; our choice: 0.05")
             .tunable(),
         regista::real("gain_receiver_age", &GainSettings::receiver_age, {0.0, 60.0}, "s",
-                      "Nobody passes to a teammate of whom the news are older; our choice: 4")
+                      "The robot does not pass to a teammate whose news are older; our choice: 4")
             .tunable(),
         regista::real("gain_considered_within", &GainSettings::considered_within, {0.0, 20.0}, "m",
                       "A robot farther from the ball does not choose its kick yet, and comes from the side of the own "
@@ -157,13 +157,13 @@ inline constexpr std::tuple play_parameters{
                       "The robot of the role leaves the ball to a teammate that is so much sooner; our choice: 0.5")
             .tunable(),
         regista::real("claim_news_at_most", &ClaimSettings::news_at_most, {0.0, 60.0}, "s",
-                      "It leaves the ball to nobody of whom the news are older; our choice: 3")
+                      "The robot does not leave the ball to a teammate whose news are older; our choice: 3")
             .tunable(),
         regista::real("claim_doubt", &ClaimSettings::doubt, {0.0, 1.0}, "1",
                       "Seconds by which each second of silence makes a teammate's time uncertain; our choice: 0.05")
             .tunable(),
         regista::real("claim_room", &ClaimSettings::room, {0.0, 5.0}, "m",
-                      "Whoever leaves the ball stands this far behind it; our choice: 1.2")
+                      "A robot that leaves the ball to a teammate stands this far behind it; our choice: 1.2")
             .tunable())};
 
 inline constexpr std::tuple approach_parameters{

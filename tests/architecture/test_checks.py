@@ -12,6 +12,7 @@ import check_licences
 import check_paths
 import check_rooms
 import check_sizes
+import check_words
 import exported_symbols
 
 GOOD = {
@@ -208,6 +209,39 @@ class Paths(unittest.TestCase):
                              [f"docs/where.md:1: names {name}, which is not there" for name in ("host/none.cpp", "tree.cpp",
                                                                                                "plugins/x/y")] +
                              ["host/config/node.hpp:1: names gone.hpp, which is not there"])
+
+
+class Words(unittest.TestCase):
+    def violations(self, path, text):
+        with tempfile.TemporaryDirectory() as root:
+            write(root, "README.md", "Regista plays matches.\n")
+            write(root, path, text)
+            return list(check_words.violations(root))
+
+    def test_every_kind_of_text_is_read(self):
+        for path, text, expected in [
+            ("host/config/bad.cpp", '\nsay("a whole number is wanted");', '2: "number is wanted"; write: expected'),
+            ("league/senders/bad/plugin.cpp", 'say("a number is "\n    "wanted");', '1: "number is wanted"; write: expected'),
+            ("sdk/testkit/bad.cpp", 'say(R"(none\n or nought)");', '1: "nought"; write: zero'),
+            ("plugins/senders/bad/plugin.cpp", "int i = 10'000; say(\"nought\", 'n');", '1: "nought"; write: zero'),
+            ("host/report/bad.cpp", 'say("\\"Nought\\"");', '1: "Nought"; write: zero'),
+            ("viewer/src/bad.ts", "const text = `${n} is nought`;", '1: "nought"; write: zero'),
+            ("docs/bad.md", "```\nx\n```\nIt is `x`, or\nnought.\n", '5: "nought"; write: zero'),
+            ("README.md", "The truth is told twice.\n", '1: "is told"; write: reported, stored or shown'),
+        ]:
+            with self.subTest(path=path, text=text):
+                self.assertEqual(self.violations(path, text), [f"{path}:{expected}"])
+
+    def test_comments_code_and_good_english_pass(self):
+        for path, text in [
+            ("host/config/good.cpp", '// nought "nought"\n/* "nought" */\nint nought = 0;\nsay("zero");'),
+            ("host/config/test.cpp", 'say("nought");'),
+            ("host/config/good.cpp", 'say("a number is "); say("wanted");'),
+            ("docs/good.md", "```\nnought\n```\nThe parameter `nought` is zero.\n"),
+            ("docs/good.md", "A home kit is told apart by its colour. Who has the ball? There is none; -1 is none.\n"),
+        ]:
+            with self.subTest(path=path, text=text):
+                self.assertEqual(self.violations(path, text), [])
 
 
 class ExportedSymbols(unittest.TestCase):

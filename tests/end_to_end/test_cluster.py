@@ -218,7 +218,7 @@ exit 1
             file.write(b"another")
         self.wait_for(lambda: not cluster().jobs())
         # The job that was to gather ran with it, too.
-        self.assertIn("this machine is none to go on with the study: its program is another", self.logs())
+        self.assertIn("this machine cannot go on with the study: its program is another", self.logs())
         gathered = self.run_program("gather", "study.cluster")
         self.assertRegex(self.succeed("status", "study.cluster"), r"node node[12] plays nothing: its program is another")
         self.assertNotEqual(gathered.stderr, "")

@@ -162,7 +162,7 @@ class Pages(tournament.Tournament):
             self.write("tournament.html", other)
             done = self.run_program(*self.arguments("--quiet", "--resume", pairs=2))
             self.assertEqual((done.returncode, done.stderr), (
-                0, "regista: no page is written: tournament.html is none of Regista's pages, and stays\n"))
+                0, "regista: no page was written: Regista did not write tournament.html, so the file stays\n"))
             self.assertIn("Tournament: small vs other", done.stdout)
             self.assertEqual((self.folder / "tournament.html").read_text(), other)
         for make in (os.mkdir, os.mkfifo):

@@ -94,7 +94,7 @@ test("a recording of an earlier version opens, and says what it does not tell", 
   const { page, complaints } = await open(`${await synthetic("before_plays", await recording())}#t=37`);
   await page.keyboard.press("a");
   await settle(page);
-  assert.match(await text(page, "#panel-plays"), /was written before Regista told of shots/);
+  assert.match(await text(page, "#panel-plays"), /was written before Regista recorded shots/);
   await page.keyboard.press("f");
   await settle(page);
   assert.match(await text(page, "#panel-ball"), /This recording does not tell who goes for the ball/);

@@ -69,7 +69,7 @@ inline constexpr std::tuple shared_parameters{
                   "Change of utility below which a robot does not bid anew, or auctions never rest (assumption)")
         .tunable(),
     regista::real("lapse", &Settings::lapse, {1.0, 3600.0}, "s",
-                  "The bid of a robot of which nothing was heard for so long is nobody's (assumption)"),
+                  "A bid ends when its robot was not heard for so long (assumption)"),
     regista::real("patience", &Settings::patience, {0.0, 60.0}, "s",
                   "A robot goes on with the task that it gave up until its new bid has been on the air for so long "
                   "(assumption)")

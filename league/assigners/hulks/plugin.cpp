@@ -56,10 +56,10 @@ struct Hulks {
                         "HULKs 2024: 1")
               .tunable(),
           regista::real("time_out", &hulks::Settings::time_out, {0.1, 60.0}, "s",
-                        "Who hears no claim for so long claims when it sees the ball; HULKs 2024: 3")
+                        "A robot that hears no claim for so long claims when it sees the ball; HULKs 2024: 3")
               .tunable(),
           regista::real("lapse", &hulks::Settings::lapse, {0.1, 3600.0}, "s",
-                        "A striker that says nothing for so long is none, and the highest number is it (assumption)"))};
+                        "A striker that says nothing for so long loses the role to the highest number (assumption)"))};
 
   static constexpr double standing = 0.5, at_once = 1.0;  // urgency: hulks_sender repeats the one and says the other
 

@@ -54,8 +54,9 @@ struct NaoDevils {
   double margin = 1.0;
   int stop_negotiating_at = 5;
   static constexpr std::tuple parameters{
-      regista::text("chaser", &NaoDevils::chaser,
-                    "Name of the role that plays the ball, in any list of roles; who has it decides for all"),
+      regista::text(
+          "chaser", &NaoDevils::chaser,
+          "Name of the role that plays the ball, in any list of roles; the robot with this role decides for all"),
       regista::real("margin", &NaoDevils::margin, {0.0, 20.0}, "m",
                     "The last map is kept while its longest walk is at most so much longer than it could be; Nao "
                     "Devils: 1")

@@ -38,9 +38,9 @@ struct RoleExchange {
                         "Added to the utility of the role that the robot has (assumption)")
               .tunable(),
           regista::real("largest", &role_exchange::Settings::largest, {0.001, 1e6}, "1",
-                        "Largest utility that is told, in 255 steps; larger ones count as this (assumption)"),
+                        "Largest utility in a packet, sent in 255 steps; larger ones count as this (assumption)"),
           regista::real("dead_band", &role_exchange::Settings::dead_band, {0.0, 1.0}, "1",
-                        "A utility that changed by no more than this is told as before (assumption)")
+                        "A utility that changed by no more than this is sent unchanged (assumption)")
               .tunable(),
           regista::real("lapse", &role_exchange::Settings::lapse, {1.0, 3600.0}, "s",
                         "What a robot said holds for this long after it was sent (assumption)"),

@@ -49,7 +49,7 @@ struct ExtrapolatedChange {
       regista::integer("reserve", &ExtrapolatedChange::reserve, packets, "1",
                        "Packets of a match that are left at its end; B-Human: 30"),
       regista::integer("whistle_reserve", &ExtrapolatedChange::whistle_reserve, packets, "1",
-                       "A whistle is told while more packets of a match than this are left; B-Human: 15"),
+                       "A whistle is sent while more packets of a match than this are left; B-Human: 15"),
       regista::real("more_per_half", &ExtrapolatedChange::more_per_half, seconds, "s",
                     "By which a half counts as longer for the line; B-Human: 10"),
       regista::real("line_ahead", &ExtrapolatedChange::line_ahead, seconds, "s",
@@ -60,7 +60,7 @@ struct ExtrapolatedChange {
           "offers", &ExtrapolatedChange::offers,
           "Send when a plugin offers something of urgency 1, in the place of B-Human's proposals; assumption"),
       regista::text("active_role", &ExtrapolatedChange::active_role,
-                    "Name of the role that plays the ball, which is told sooner; assumption"),
+                    "Name of the role that plays the ball; a robot that takes it sends sooner; assumption"),
       regista::within(
           &ExtrapolatedChange::settings,
           regista::within(
@@ -94,12 +94,12 @@ struct ExtrapolatedChange {
           regista::real("team_ball_off_for", &Settings::team_ball_off_for, seconds, "s",
                         "The own ball must be off the team's for so long; B-Human: 0.3"),
           regista::real("retell_after", &Settings::retell_after, seconds, "s",
-                        "A ball in sight is told again when the news of it are older; B-Human: 9")
+                        "A ball in sight is sent again when the team's news of it are older; B-Human: 9")
               .tunable(),
           regista::real("retell_spread", &Settings::retell_spread, seconds, "s",
                         "And so much older for each shirt number; B-Human: 0.5"),
           regista::real("whistle_within", &Settings::whistle_within, seconds, "s",
-                        "A whistle is told within so long; B-Human: 4"))};
+                        "A whistle is sent at most so long after it was heard; B-Human: 4"))};
 
   int own_number = 1, robots = 1;
   double period = 0.1, deceleration = 0.32;

@@ -60,7 +60,7 @@ struct NaoDevilsSender {
           window("moved_interval", &Settings::moved_own,
                  "Least time between two packets of this robot for its place; Nao Devils: 1"),
           regista::real("moved_far", &Settings::moved_far, metres, "m",
-                        "News is a place so far off the last one that was told; Nao Devils: 1.2")
+                        "News is a place so far off the last one that was sent; Nao Devils: 1.2")
               .tunable(),
           regista::real("moved_near", &Settings::moved_near, metres, "m",
                         "The same of the ball chaser and near the ball; Nao Devils: 0.5")

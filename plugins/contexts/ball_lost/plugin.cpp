@@ -26,10 +26,9 @@ struct BallLost {
               "seen_again", &ball_lost::Rule::seen_again, {0.0, 10.0}, "s",
               "Sightings must span this long before a lost ball counts as found; 0, as published: one is enough")
               .tunable()),
-      regista::boolean(
-          "own_sightings", &BallLost::own_sightings,
-          "What this robot has seen counts before it has told of it: it does not search for a ball that it "
-          "sees; without effect where the context is judged on what the robot knows itself (mine)")};
+      regista::boolean("own_sightings", &BallLost::own_sightings,
+                       "What this robot has seen counts before it has sent it: it does not search for a ball that it "
+                       "sees; without effect where the context is judged on what the robot knows itself (mine)")};
 
   ball_lost::Memory memory;
 

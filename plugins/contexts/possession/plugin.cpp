@@ -21,8 +21,8 @@ struct Possession {
   static constexpr std::array<const char*, 4> states{"us", "them", "none", "fight"};
   static constexpr std::tuple parameters{
       regista::choice("who", &Possession::who, states,
-                      "Who must be at the ball; fight: both sides; planned by SPQR. A ball that is unknown is none of "
-                      "the four"),
+                      "Who must be at the ball; fight: both sides; planned by SPQR. An unknown ball is none of the "
+                      "four"),
       regista::within(&Possession::rule,
                       regista::real("reach", &possession::Rule::reach, {0.05, 5.0}, "m",
                                     "A side is at the ball when one of its robots is so near; SPQR: 0.5")

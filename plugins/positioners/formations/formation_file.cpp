@@ -56,7 +56,7 @@ json parsed(std::string_view bytes, std::string& method_place) {
       method_place = place_of_text(bytes, passed());
     if (event == json::parse_event_t::key) {
       is_method = value == "method";
-      if (is_method && has_method) refuse(place_of_text(bytes, passed()) + ": \"method\" stands there again");
+      if (is_method && has_method) refuse(place_of_text(bytes, passed()) + ": \"method\" is given twice");
       has_method = has_method || is_method;
       if (is_method) method_place = place_of_text(bytes, passed());
     }
@@ -66,7 +66,7 @@ json parsed(std::string_view bytes, std::string& method_place) {
     return json::parse(Character{bytes.data(), &reached}, Character{bytes.data() + bytes.size(), &reached}, look);
   } catch (const json::parse_error& error) {
     refuse(place_in(bytes, std::min(bytes.size(), std::max<std::size_t>(error.byte, 1) - 1)) +
-           ": no JSON; wanted is a formation file of librcsc, in JSON or as text that begins with \"Formation\"");
+           ": not JSON; expected a formation file of librcsc, in JSON or as text that begins with \"Formation\"");
   } catch (const json::exception&) {
     refuse("a number in it is out of range");
   }
@@ -163,7 +163,7 @@ void refuse_repeated_balls(const std::vector<Sample>& samples, std::span<const s
 
 std::vector<Sample> read_formation(std::string_view bytes) {
   if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    refuse("nothing is in it; wanted is a formation file of librcsc");
+    refuse("the file is empty; expected a formation file of librcsc");
   }
   if (bytes.size() > most_bytes) {
     refuse("has " + std::to_string(bytes.size()) + " bytes; at most " + std::to_string(most_bytes) + " are read");

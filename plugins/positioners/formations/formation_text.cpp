@@ -46,9 +46,9 @@ class Lines {
   std::string where(std::size_t i = 0) const { return place(number_, i < words_.size() ? words_[i].column : after_); }
   // At a word of the line, or behind its last one.
   [[noreturn]] void wrong(std::size_t i, const std::string& wanted) const {
-    if (words_.empty()) refuse("line " + std::to_string(number_) + ": the file ends; wanted is " + wanted);
-    refuse(where(i) + ": " + (i < words_.size() ? quoted(words_[i].text) : std::string("nothing more")) +
-           " stands there; wanted is " + wanted);
+    if (words_.empty()) refuse("line " + std::to_string(number_) + ": the file ends; expected " + wanted);
+    refuse(where(i) + ": " + (i < words_.size() ? quoted(words_[i].text) : std::string("the line ends")) +
+           "; expected " + wanted);
   }
   void require(bool holds, std::size_t i, const std::string& wanted) const {
     if (!holds) wrong(i, wanted);

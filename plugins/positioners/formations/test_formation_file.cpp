@@ -44,11 +44,11 @@ TEST(FormationFile, Sound) {
 }
 
 TEST(FormationFile, Refused) {
-  EXPECT_EQ(refusal(""), "formation: nothing is in it; wanted is a formation file of librcsc");
-  EXPECT_EQ(refusal(" \n"), "formation: nothing is in it; wanted is a formation file of librcsc");
+  EXPECT_EQ(refusal(""), "formation: the file is empty; expected a formation file of librcsc");
+  EXPECT_EQ(refusal(" \n"), "formation: the file is empty; expected a formation file of librcsc");
   EXPECT_EQ(
       refusal("{\n \"method\": ?}"),
-      "formation: line 2, column 12: no JSON; wanted is a formation file of librcsc, in JSON or as text that begins "
+      "formation: line 2, column 12: not JSON; expected a formation file of librcsc, in JSON or as text that begins "
       "with \"Formation\"");
   EXPECT_EQ(refusal("[[1, 2]]"), "formation: the file is no object");
   EXPECT_EQ(refusal("{\"vectors\": []}"), "formation: the file has no \"method\"");

@@ -199,7 +199,7 @@ TEST(FormationText, AMethodStandsOnce) {
   const std::string sound = json("Static", made_up(1, 1));
   EXPECT_EQ(refusal(sound), "read");
   EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ",\n \"method\": \"Static\", \"data\"")),
-            "formation: line 2, column 2: \"method\" stands there again");
+            "formation: line 2, column 2: \"method\" is given twice");
   // Elsewhere it is of somebody else.
   EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ", \"more\": {\"method\": 1, \"method\": 2}, \"data\"")), "read");
 }
@@ -214,7 +214,7 @@ TEST(FormationText, ALinkThatGitWroteAsTextIsNamed) {
     }
   }
   EXPECT_EQ(refusal("nothing"),
-            "formation: line 1, column 2: no JSON; wanted is a formation file of librcsc, in JSON "
+            "formation: line 1, column 2: not JSON; expected a formation file of librcsc, in JSON "
             "or as text that begins with \"Formation\"");
 }
 
@@ -225,63 +225,57 @@ TEST(FormationText, RefusedWithTheirPlace) {
     return refusal(replaced(text, from, to));
   };
   EXPECT_EQ(refusal("Formation"),
-            "formation: line 1, column 10: nothing more stands there; wanted is "
+            "formation: line 1, column 10: the line ends; expected "
             "DelaunayTriangulation or Static");
   EXPECT_EQ(changed("Triangulation 2", "Triangulation two"),
-            "formation: line 1, column 33: \"two\" stands there; wanted is the version of its form, 1 to 3");
-  EXPECT_EQ(changed("Begin Roles", "Roles"),
-            "formation: line 2, column 1: \"Roles\" stands there; wanted is \"Begin Roles\"");
+            "formation: line 1, column 33: \"two\"; expected the version of its form, 1 to 3");
+  EXPECT_EQ(changed("Begin Roles", "Roles"), "formation: line 2, column 1: \"Roles\"; expected \"Begin Roles\"");
   EXPECT_EQ(changed("3 CenterBack 2", "4 CenterBack 2"),
-            "formation: line 5, column 1: \"4\" stands there; wanted is \"3 ROLE PARTNER\"");
+            "formation: line 5, column 1: \"4\"; expected \"3 ROLE PARTNER\"");
   EXPECT_EQ(changed("5 SideBack 4", "5 SideBack"),
-            "formation: line 7, column 11: nothing more stands there; wanted is "
+            "formation: line 7, column 11: the line ends; expected "
             "the number of the position on the other side, or 0 or -1");
-  EXPECT_EQ(changed("11 CenterForward 0\n", ""),
-            "formation: line 13, column 1: \"End\" stands there; wanted is \"11 ROLE PARTNER\"");
-  EXPECT_EQ(changed("End Roles\n", ""),
-            "formation: line 14, column 1: \"Begin\" stands there; wanted is \"End Roles\"");
+  EXPECT_EQ(changed("11 CenterForward 0\n", ""), "formation: line 13, column 1: \"End\"; expected \"11 ROLE PARTNER\"");
+  EXPECT_EQ(changed("End Roles\n", ""), "formation: line 14, column 1: \"Begin\"; expected \"End Roles\"");
   EXPECT_EQ(changed("Samples 2 3", "Samples 1 3"),
-            "formation: line 15, column 15: \"1\" stands there; wanted is 2, the version of samples that is read");
+            "formation: line 15, column 15: \"1\"; expected 2, the version of samples that is read");
   EXPECT_EQ(changed("Samples 2 3", "Samples 2 0"), "formation: line 15, column 17: holds no samples");
   EXPECT_EQ(changed("Samples 2 3", "Samples 2 5000"),
             "formation: line 15, column 17: has 5000 samples; at most 1000 are read");
   EXPECT_EQ(changed("Samples 2 3", "Samples 2 2"),
-            "formation: line 42, column 1: \"-----\" stands there; wanted is \"End Samples\" after 2 samples");
+            "formation: line 42, column 1: \"-----\"; expected \"End Samples\" after 2 samples");
   EXPECT_EQ(changed("Samples 2 3", "Samples 2 4"),
-            "formation: line 55, column 1: \"End\" stands there; wanted is \"Ball X Y\" of sample 3 of 4");
+            "formation: line 55, column 1: \"End\"; expected \"Ball X Y\" of sample 3 of 4");
   EXPECT_EQ(changed("----- 1 -----", "----- 2 -----"),
-            "formation: line 29, column 7: \"2\" stands there; wanted is 1, the number of the sample");
+            "formation: line 29, column 7: \"2\"; expected 1, the number of the sample");
   EXPECT_EQ(changed("Ball -10 -16", "Ball -10"),
-            "formation: line 30, column 9: nothing more stands there; wanted is a number, y of the ball");
+            "formation: line 30, column 9: the line ends; expected a number, y of the ball");
   EXPECT_EQ(changed("Ball -10 -16", "Ball -10 -16 3"),
-            "formation: line 30, column 14: \"3\" stands there; wanted is the end of the line after \"Ball X Y\"");
+            "formation: line 30, column 14: \"3\"; expected the end of the line after \"Ball X Y\"");
   EXPECT_EQ(changed("Ball -10 -16", "Ball -10 nan"),
             "formation: line 30, column 6: y is farther than 1000 m from the centre");
   EXPECT_EQ(changed("Ball -10 -16", "Ball -10 1e999"),
-            "formation: line 30, column 10: \"1e999\" stands there; wanted is a number, y of the ball");
+            "formation: line 30, column 10: \"1e999\"; expected a number, y of the ball");
   EXPECT_EQ(changed("Ball -10 -16", "Ball -20 -16"),
             "formation: the sample at line 17, column 1 and the sample at "
             "line 30, column 1 have the ball at the same place");
   EXPECT_EQ(changed("End Samples", "End"),
-            "formation: line 55, column 1: \"End\" stands there; wanted is \"End "
+            "formation: line 55, column 1: \"End\"; expected \"End "
             "Samples\" after 3 samples");
-  EXPECT_EQ(changed("End\n", "more\n"), "formation: line 56, column 1: \"more\" stands there; wanted is \"End\"");
-  EXPECT_EQ(
-      refusal("Formation DelaunayTriangulation 3\n" + std::string(roles_2) + samples(pictures)),
-      "formation: line 3, column 11: nothing more stands there; wanted is the number of the position on the other "
-      "side, or 0 or -1");
+  EXPECT_EQ(changed("End\n", "more\n"), "formation: line 56, column 1: \"more\"; expected \"End\"");
+  EXPECT_EQ(refusal("Formation DelaunayTriangulation 3\n" + std::string(roles_2) + samples(pictures)),
+            "formation: line 3, column 11: the line ends; expected the number of the position on the other "
+            "side, or 0 or -1");
   EXPECT_EQ(refusal("Formation Static 2\n" + std::string(roles_2) + samples(pictures)),
             "formation: is static but has 3 samples");
-  EXPECT_EQ(refusal(replaced(old, "\nEnd\n", "\n")),
-            "formation: line 5: the file ends; wanted is a sample, or \"End\"");
-  EXPECT_EQ(
-      refusal(replaced(old, "Role10 0 ", "")),
-      "formation: line 2, column 84: nothing more stands there; wanted is \"Begin Roles\", or a name and a partner "
-      "of eleven roles");
+  EXPECT_EQ(refusal(replaced(old, "\nEnd\n", "\n")), "formation: line 5: the file ends; expected a sample, or \"End\"");
+  EXPECT_EQ(refusal(replaced(old, "Role10 0 ", "")),
+            "formation: line 2, column 84: the line ends; expected \"Begin Roles\", or a name and a partner "
+            "of eleven roles");
   EXPECT_EQ(refusal(replaced(places, "11 Role", "10 Role")),
-            "formation: line 14, column 2: \"10\" stands there; wanted is \"11 ROLE X Y\"");
+            "formation: line 14, column 2: \"10\"; expected \"11 ROLE X Y\"");
   EXPECT_EQ(refusal(places + "12 Role 0 0\n"),
-            "formation: line 15, column 1: \"12\" stands there; wanted is the end of the file after eleven positions");
+            "formation: line 15, column 1: \"12\"; expected the end of the file after eleven positions");
 }
 
 // One cut after the other: a refusal in one line, or all of it.

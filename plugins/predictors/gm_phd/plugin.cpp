@@ -67,16 +67,15 @@ struct GmPhd {
               "merge_distance", &Parameters::merge_distance, {0.0, 20.0}, "1",
               "Components whose means have a smaller squared Mahalanobis distance become one; 4 by Vo and Ma"),
           regista::real("confirm_weight", &Parameters::confirm_weight, {0.01, 1.0}, "1",
-                        "A component is told once it stands for so many robots; 0.5 by Vo and Ma")
+                        "A component is reported once it stands for so many robots; 0.5 by Vo and Ma")
               .tunable(),
-          regista::real(
-              "told_weight", &Parameters::told_weight, {1e-5, 1.0}, "1",
-              "A component that was told stays so until it stands for fewer robots than this: a few misses are "
-              "borne; assumption")
+          regista::real("told_weight", &Parameters::told_weight, {1e-5, 1.0}, "1",
+                        "A reported component stays reported until it stands for fewer robots than this: a few misses "
+                        "are borne; assumption")
               .tunable()
               .log_scale()),
       regista::real("told_for", &GmPhd::told_for, {0.5, 600.0}, "s",
-                    "A component unseen for longer is kept but not told; assumption")
+                    "A component unseen for longer is kept but not reported; assumption")
           .tunable()};
 
   void setup(const regista::Environment&) { filter = gm_phd::Filter(settings); }

@@ -36,9 +36,9 @@ struct ImmBall {
                         "component; SPL kicks are 0.98 to 1.8 m/s")
               .tunable()
               .log_scale(),
-          regista::real(
-              "kick_rate", &Parameters::kick_rate, {0.01, 10.0}, "1/s",
-              "Kicks in a second while a robot is in reach of the ball, or while no robots are told; assumption")
+          regista::real("kick_rate", &Parameters::kick_rate, {0.01, 10.0}, "1/s",
+                        "Kicks in a second while a robot is in reach of the ball, or while the predictor receives no "
+                        "robots; assumption")
               .tunable()
               .log_scale(),
           regista::real("unseen_kick_rate", &Parameters::unseen_kick_rate, {0.0, 1.0}, "1/s",
@@ -57,10 +57,9 @@ struct ImmBall {
               "timing_noise", &Parameters::timing_noise, {0.0, 0.05}, "s",
               "Standard deviation of the time of an image: fast balls are seen less well along their way; 0.002 "
               "by the scatter of Small Size League detections, which grows so with the speed"),
-          regista::real(
-              "least_deviation", &Parameters::least_deviation, {0.001, 0.2}, "m",
-              "Standard deviation of a sighting, per axis, besides what is told of it; 0.01 as two cameras of "
-              "the Small Size League differ on one resting ball"),
+          regista::real("least_deviation", &Parameters::least_deviation, {0.001, 0.2}, "m",
+                        "Standard deviation of a sighting, per axis, added to its own; 0.01 as two cameras of "
+                        "the Small Size League differ on one resting ball"),
           regista::within(
               &Parameters::evidence,
               ball::evidence_parameters(

@@ -32,7 +32,7 @@ struct KalmanBall {
                     "its path; 0.003 to 0.004 for the cameras of the Small Size League, 0 in Regista's matches"),
       regista::real(
           "outlier_share", &Parameters::outlier_share, {0.0, 0.5}, "1",
-          "Share of sightings that are off by four times what is told of them; 0.05 where two cameras disagree, 0 in "
+          "Share of sightings that are off by four times their stated deviation; 0.05 where two cameras disagree, 0 in "
           "Regista's matches"),
       regista::real("speed_prior", &Parameters::speed_prior, {0.1, 10.0}, "m/s",
                     "Standard deviation of the velocity of a ball just seen, each component; SPL kicks are 0.98 to "
@@ -43,10 +43,9 @@ struct KalmanBall {
                     "How often somebody touches the ball: a sighting that the known ball does not explain is then that "
                     "ball, touched since; about 1 in the Small Size League")
           .tunable(),
-      regista::real(
-          "unseen_touch_rate", &Parameters::unseen_touch_rate, {0.0, 10.0}, "1/s",
-          "How often a ball is touched that is no longer seen: so fast grows the uncertainty of what is told of it "
-          "besides that of its rolling; 0 tells of an untouched ball")
+      regista::real("unseen_touch_rate", &Parameters::unseen_touch_rate, {0.0, 10.0}, "1/s",
+                    "How often a ball that is no longer seen is touched: the reported uncertainty grows by these "
+                    "touches besides the rolling; 0 reports an untouched ball")
           .tunable(),
       regista::within(
           &Parameters::evidence,

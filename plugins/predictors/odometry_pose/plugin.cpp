@@ -52,7 +52,7 @@ struct OdometryPose {
       regista::real("velocity_smoothing", &Parameters::velocity_smoothing, {0.0, 5.0}, "s",
                     "Time constant of the smoothing of the velocity; about one step of the walk (0.25 s, SPL)"),
       regista::real("velocity_deviation", &Parameters::velocity_deviation, {0.001, 0.5}, "m/s",
-                    "Standard deviation told for each component of the velocity; assumption"))};
+                    "Reported standard deviation of each component of the velocity; assumption"))};
 
   void setup(const regista::Environment& environment) {
     std::vector<odometry_pose::Landmark> landmarks;

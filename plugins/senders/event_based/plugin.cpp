@@ -165,8 +165,9 @@ struct EventBased {
                           interval("got_up_interval").tunable()),
           regista::within(
               RuleOf{Cause::phase_changed},
-              heeded("phase_changed",
-                     "Send when the phase of the game changes, which the others are told too; our choice: no"),
+              heeded(
+                  "phase_changed",
+                  "Send when the phase of the game changes, which teammates learn from the game too; our choice: no"),
               interval("phase_changed_interval").tunable()),
           regista::within(RuleOf{Cause::context_changed},
                           heeded("context_changed", "Send when another context comes into force; our choice: no"),

@@ -40,10 +40,9 @@ struct FixedRate {
           "our choice"),
       regista::within(
           &FixedRate::settings,
-          regista::boolean(
-              "at_once", &Settings::at_once,
-              "Who takes the fast role is due by the fast period at once, as in SPQR's released code; false: "
-              "after its next packet, so that a change of role is no event"))};
+          regista::boolean("at_once", &Settings::at_once,
+                           "A robot that takes the fast role is due by the fast period at once, as in SPQR's released "
+                           "code; false: after its next packet, so that a change of role is no event"))};
 
   int team_size = 1;
 

@@ -247,7 +247,7 @@ regista_track Instance::track_at(const regista_track& told, double age) {
                           static_cast<regista_track*>(raw.data), error);
       },
       [&] { examine(out, raw, "track_at"); });
-  if (!input.unchanged()) throw CallFailed("track_at: wrote to what was told");
+  if (!input.unchanged()) throw CallFailed("track_at: wrote to the track");
   return out.take(1).front();
 }
 

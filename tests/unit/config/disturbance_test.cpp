@@ -93,7 +93,7 @@ TEST(Disturbance, WhatIsRefused) {
       {"  - {kind: crash, at: 1, for: -5}\n", "t.yaml:3:31: incidents.0.for: \"-5\" is outside 0 to 1000000 s"},
       {"  - {kind: crash, at: 1, robots: some}\n",
        "t.yaml:3:34: incidents.0.robots: \"some\"; expected all, any, a number or a list of numbers"},
-      {"  - {kind: crash, at: 1, robots: [2, 2]}\n", "t.yaml:3:38: incidents.0.robots: 2 stands there twice"},
+      {"  - {kind: crash, at: 1, robots: [2, 2]}\n", "t.yaml:3:38: incidents.0.robots: 2 is given twice"},
       {"  - {kind: crash, at: 1, speed: 0.5}\n",
        "t.yaml:3:33: incidents.0.speed: makes no sense for crash, whose values are: none of its own"},
       {"  - {name: bias, kind: pose_bias, at: 1, delay: 1}\n",

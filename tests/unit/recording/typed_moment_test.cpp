@@ -55,7 +55,7 @@ TEST(TypedRobot, OfBothTeams) {
   EXPECT_EQ(robot("away/5").number, 5);
   for (const char* text : {"0", "8", "away/8", "away/", "Away/1", "3x", ""}) {
     EXPECT_EQ(refusal([&] { robot(text); }),
-              "--robot: \"" + std::string(text) + "\"; wanted is 1 to 7, home/1 to home/7 or away/1 to away/7");
+              "--robot: \"" + std::string(text) + "\"; expected 1 to 7, home/1 to home/7 or away/1 to away/7");
   }
 }
 

@@ -49,16 +49,16 @@ TEST(ExperimentHeadline, AnOrderOfAllArmsWhereEveryDifferenceWasFound) {
 
 TEST(ExperimentHeadline, NoneFound) {
   EXPECT_EQ(headline(study::experiment_of(2, 1, 12), of({10, 10})),
-            "No difference in striker.overlap_seconds was found between arm 0 and arm 1. This does not show that there "
-            "is none.");
+            "No difference in striker.overlap_seconds was found between arm 0 and arm 1. There may still be a "
+            "smaller difference.");
   EXPECT_EQ(headline(study::experiment_of(3, 1, 12), of({10, 10, 10})),
-            "No difference in striker.overlap_seconds was found between any two of the 3 arms. This does not show that "
-            "there is none.");
+            "No difference in striker.overlap_seconds was found between any two of the 3 arms. There may still be a "
+            "smaller difference.");
   ExperimentPlan some = study::experiment_of(4, 1, 12);
   study::compare(some, {{0, 1}, {2, 3}});
   EXPECT_EQ(headline(some, of({10, 10, 30, 30})),
-            "No difference in striker.overlap_seconds was found in any of 2 comparisons. This does not show that there "
-            "is none.");
+            "No difference in striker.overlap_seconds was found in any of 2 comparisons. There may still be a "
+            "smaller difference.");
 }
 
 TEST(ExperimentHeadline, SomeFound) {

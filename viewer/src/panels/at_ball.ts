@@ -23,7 +23,7 @@ export class AtBallPanel {
     box.append(this.verdict, ...bothSides.map((side) => this.tableOf(side)));
     const notes: string[] = [];
     if (!this.claims.any) notes.push("No plugin has logged a claim to the ball in this recording.");
-    if (!match.game.tellsChases) notes.push("It was written before Regista told who goes for the ball.");
+    if (!match.game.tellsChases) notes.push("It was written before Regista recorded who goes for the ball.");
     notes.push("Seconds away: walking straight at full speed until the body touches the ball.");
     box.append(element("p", { class: "muted note" }, notes.join(" ")));
   }

@@ -13,7 +13,7 @@ const kindTexts: Record<PlayKind, string> = {
   clearance: "clearances",
   duel: "duels",
 };
-const older = "This recording was written before Regista told of shots, meant passes, clearances and duels.";
+const older = "This recording was written before Regista recorded shots, meant passes, clearances and duels.";
 
 export class PlayPanel {
   private readonly kind = element("select", { "aria-label": "What is listed", id: "plays-kind" });
