@@ -41,7 +41,7 @@ struct Tournament {
   std::vector<Team> teams;
   Format format = Format::round_robin;
   std::optional<int> rounds;  // of a Swiss tournament; missing: as many as a knock-out of these teams has
-  std::optional<int> pairs;  // pairs of matches for each pairing; with a test: the largest number of pairs
+  std::optional<int> pairs;   // pairs of matches for each pairing; with a test: the largest number of pairs
   std::optional<Test> test;
   std::int64_t seed = 1;       // seed of the pairs; see MatchSettings::seeds
   std::string disturbance;     // file for all teams; empty: no disturbance

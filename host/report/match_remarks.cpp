@@ -214,7 +214,8 @@ nlohmann::ordered_json packets_json(const study::PacketsSpent& packets) {
 
 std::string too_few_pairs(const study::TournamentPlan& plan) {
   // A tournament in rounds ranks its teams, and does not test each meeting.
-  return plan.asked.test || plan.rounds() > 0 ? std::string() : too_few(plan.pairs_to_its_end(), study::design_of(plan), "pairings");
+  return plan.asked.test || plan.rounds() > 0 ? std::string()
+                                              : too_few(plan.pairs_to_its_end(), study::design_of(plan), "pairings");
 }
 
 std::string too_few_pairs(const study::ExperimentPlan& plan) {

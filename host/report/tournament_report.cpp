@@ -157,7 +157,9 @@ std::vector<Tile> tiles_of(const TournamentView& view) {
     out.push_back({fmt::format("{} : {}", meeting.goals[0], meeting.goals[1]), "goals"});
   } else {
     out.push_back({std::to_string(view.plan.teams.size()), "teams"});
-    out.push_back({std::to_string(view.course.calendar().pairings().size()), "pairings"});
+    const std::uint64_t rounds = view.plan.rounds();
+    out.push_back(rounds > 0 ? Tile{std::to_string(rounds), "rounds"}
+                             : Tile{std::to_string(view.course.calendar().pairings().size()), "pairings"});
   }
   std::string games = games_in_words(view.plan.openings);
   if (!view.plan.ends_by_the_clock_alone()) games += fmt::format(" of {} planned", view.course.calendar().matches());
@@ -321,7 +323,10 @@ WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
   const bool one = plan.pairings().size() == 1;
   out.amount = fmt::format(
       "{}{}{}, seeds from {}", plan.asked.pairs ? "" : "a test decides, at most ", number_of_pairs(plan),
-      one ? std::string() : fmt::format(" of each of {} pairings", plan.pairings().size()), plan.first_seed());
+      one                 ? std::string()
+      : plan.rounds() > 0 ? fmt::format(" of each of {} meetings in {} rounds", plan.meetings(), plan.rounds())
+                          : fmt::format(" of each of {} pairings", plan.pairings().size()),
+      plan.first_seed());
   complete(out, plan);
   if (plan.ended_after) {  // a repetition must have as many pairs as were played
     config::Tournament asked = plan.asked;
@@ -331,24 +336,49 @@ WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
   return out;
 }
 
+namespace {
+
+const char* format_in_words(const study::TournamentPlan& plan) {
+  constexpr std::array names{"round robin", "gauntlet", "Swiss", "knock-out"};  // in the order of Tournament::Format
+  return names[static_cast<std::size_t>(plan.asked.format)];
+}
+
+// Returns ", 43 scenes of about 42 s" or ", 120 s a match"; empty for whole matches.
+std::string games_of(const study::TournamentPlan& plan) {
+  if (!plan.openings.empty()) return ", " + scenes_text(plan);
+  const auto& limit = plan.asked.settings.limit;
+  return limit ? fmt::format(", {} s a match", config::real_text(*limit)) : std::string();
+}
+
+Json rounds_json(const TournamentView& view) {
+  Json out = Json::array();
+  for (const std::vector<std::size_t>& round : view.course.calendar().drawn()) {
+    Json& meetings = out.emplace_back(Json::array());
+    for (const std::size_t pairing : round) {
+      const study::Pairing& who = view.plan.pairings()[pairing];
+      meetings.push_back({view.label(who.first), view.label(who.second)});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string title(const TournamentView& view) {
-  const std::string who =
-      view.plan.teams.size() == 2
-          ? fmt::format("{} vs {}", view.shown(0), view.shown(1))
-          : fmt::format("{} teams, {}", view.plan.teams.size(),
-                        view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round robin");
+  const std::string who = view.plan.teams.size() == 2
+                              ? fmt::format("{} vs {}", view.shown(0), view.shown(1))
+                              : fmt::format("{} teams, {}", view.plan.teams.size(), format_in_words(view.plan));
+  if (const std::uint64_t rounds = view.plan.rounds(); rounds > 0) {
+    return fmt::format("{} ({} rounds, {} each, seeds from {}{})", who, rounds,
+                       texts::plural(view.plan.pairs(), "pair", "pairs"), view.plan.first_seed(), games_of(view.plan));
+  }
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // includes pairs of teams that were set aside
   std::string out = fmt::format("{} ({}", who, texts::plural(played, "pair", "pairs"));
   if (played < view.plan.pairs() && !view.plan.ends_by_the_clock_alone())
     out += fmt::format(" of {}", view.plan.pairs());
   if (pairings > 1) out += " each";
-  out += fmt::format(", seeds from {}", view.plan.first_seed());
-  if (!view.plan.openings.empty())
-    out += ", " + scenes_text(view.plan);
-  else if (const auto& limit = view.plan.asked.settings.limit)
-    out += fmt::format(", {} s a match", config::real_text(*limit));
-  return out + ')';
+  return out + fmt::format(", seeds from {}{})", view.plan.first_seed(), games_of(view.plan));
 }
 
 ForfeitWords forfeit_words(const TournamentView& view, TeamText name) {
@@ -370,6 +400,7 @@ Outline tournament_outline(const TournamentView& view, const TournamentPage* pag
   out.remarks = view.course.remarks();
   out.data = [view] { return tournament_data(view); };
   out.add(standing_section(view));
+  out.add(rounds_section(view));
   out.add(curves_section(view));
   if (page != nullptr) {
     out.add(goals_section(view, page->record));
@@ -403,7 +434,9 @@ Json tournament_data(const TournamentView& view) {
     out["question"] = view.plan.asked.question;
   }
   out["teams"] = teams;
-  out["format"] = view.plan.asked.format == config::Tournament::Format::gauntlet ? "gauntlet" : "round_robin";
+  constexpr std::array formats{"round_robin", "gauntlet", "swiss", "knock_out"};  // in the order of Tournament::Format
+  out["format"] = formats[static_cast<std::size_t>(view.plan.asked.format)];
+  if (view.plan.rounds() > 0) out["rounds"] = rounds_json(view);
   out["pairs"] = view.plan.pairs();
   if (!view.plan.pairs_before.empty()) out["pairs_before"] = view.plan.pairs_before;
   if (view.plan.ended_after) out["ended_after"] = *view.plan.ended_after;

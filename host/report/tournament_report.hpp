@@ -90,6 +90,7 @@ std::vector<Figure> tournament_figures(const TournamentView& view, const Tournam
 
 // These sections are empty without data.
 Section standing_section(const TournamentView& view);  // where the teams stand
+Section rounds_section(const TournamentView& view);    // who met in each round of a Swiss tournament or a knock-out
 Section curves_section(const TournamentView& view);    // curves of Elo and of the test over pairs
 Section variance_section(const TournamentView& view);  // how much the play in pairs reduces the variance
 Section goals_section(const TournamentView& view, const TournamentHistory& record);

@@ -29,13 +29,13 @@ Sentence who_of(const TournamentView& view, const Meeting& meeting, const char* 
   return named(view.shown(meeting.pairing.first)) << between << named(view.shown(meeting.pairing.second));
 }
 
-// In a gauntlet most teams never meet, so a table of all against all and an equilibrium make no sense.
-bool is_gauntlet(const TournamentView& view) { return view.plan.asked.format == config::Tournament::Format::gauntlet; }
+// Where most teams never meet, a table of all against all and an equilibrium make no sense.
+bool all_meet(const TournamentView& view) { return view.plan.asked.format == config::Tournament::Format::round_robin; }
 
 Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
   const bool several = view.plan.teams.size() > 2;
   std::vector<Heading> headings{{"Team", Column::words}};
-  const bool with_nash = !is_gauntlet(view);
+  const bool with_nash = all_meet(view);
   if (several) headings = {{"Rank"}, {"Team", Column::words}, {"Elo"}};
   if (several && with_nash) headings.push_back({"Nash share"});
   for (const char* each : {"Matches", "Won", "Drawn", "Lost", "Points", "Goals", "Forfeits"})
@@ -194,7 +194,7 @@ void add_ranking(const TournamentView& view, Section& out) {
 // Adds a table of all teams against all teams. A cell has the share of points that the row's team won.
 void add_cross_table(const TournamentView& view, Section& out) {
   const std::vector<Ranked> ranks = ranking(view.plan, view.course);
-  if (ranks.size() > most_crossed || is_gauntlet(view)) return;
+  if (ranks.size() > most_crossed || !all_meet(view)) return;
   const statistics::SquareTable won = points_won(view.plan, view.course);
   Table table{{{"Share of points, %", Column::words}}};
   table.style = Table::Style::heat;
@@ -238,6 +238,7 @@ Table pairings_table(const TournamentView& view) {
   const PValues p = p_values(view.course);
   for (std::size_t i = 0; i < std::min(p.adjusted.size(), most_pairings); ++i) {
     const Meeting& meeting = view.course.meetings()[i];
+    if (view.plan.rounds() > 0 && meeting.matches() == 0) continue;  // never drawn
     const auto& [losses, draws, wins] = meeting.games.seen;
     const std::optional<Strength> known = strength(view.course, meeting);
     std::vector<Cell> cells{who_of(view, meeting), fmt::format("{} – {} – {}", wins, draws, losses),
@@ -247,9 +248,9 @@ Table pairings_table(const TournamentView& view) {
     if (with_p) cells.emplace_back(fmt::format("{:.2g}{}", p.adjusted[i], p.prevented[i] ? ": no verdict" : ""));
     out.row(std::move(cells));
   }
-  out.summary = fmt::format("{} pairings, from the point of view of the team named first{}", p.adjusted.size(),
+  out.summary = fmt::format("{} pairings, from the point of view of the team named first{}", out.rows.size(),
                             with_p ? "; p: exact sign flips of the pairs' goal differences, corrected by Holm" : "");
-  out.open = p.adjusted.size() <= most_open_pairings;
+  out.open = out.rows.size() <= most_open_pairings;
   return out;
 }
 
@@ -283,8 +284,39 @@ Section standing_section(const TournamentView& view) {
           "fewer than 10 of its pairs were uneven, or if it won or lost all. {}Goals: mean of the pairs, with the 95 % "
           "interval of Student's t for that pairing alone. p: exact sign flips of the pairs' goal differences, "
           "corrected by Holm for the number of pairings.",
-          is_gauntlet(view) ? "" : "Nash share: probability of the team in the Nash equilibrium. "),
+          !all_meet(view) ? "" : "Nash share: probability of the team in the Nash equilibrium. "),
       Readers::page);
+  return out;
+}
+
+Section rounds_section(const TournamentView& view) {
+  Section out("rounds", "Rounds");
+  if (view.plan.rounds() == 0) return out;
+  const bool knock_out = view.plan.asked.format == config::Tournament::Format::knock_out;
+  Table table{{{"Round"}, {"Meeting", Column::words}, {"Points"}, {"Goals"}}};
+  if (knock_out) table.headings.push_back({"Goes on", Column::words});
+  std::size_t number = 0;
+  for (const std::vector<std::size_t>& round : view.course.calendar().drawn()) {
+    ++number;
+    for (const std::size_t pairing : round) {
+      const Meeting& meeting = view.course.meetings()[pairing];
+      const double won = points(meeting.games);
+      std::vector<Cell> cells{number, who_of(view, meeting),
+                              fmt::format("{:.1f}:{:.1f}", won, static_cast<double>(total(meeting.games)) - won),
+                              fmt::format("{}:{}", meeting.goals[0], meeting.goals[1])};
+      if (knock_out) {
+        const bool decided = view.course.complete() || number < view.course.calendar().drawn().size();
+        cells.push_back(decided ? named(view.shown(view.course.winner(meeting))) : Sentence("–"));
+      }
+      table.row(std::move(cells));
+    }
+  }
+  out.table(std::move(table));
+  out.note(knock_out
+               ? "A meeting is won by points, then by goals. If both are equal, the team that is named first goes on."
+               : "Teams with about as many points meet (Monrad), and nobody meets the same team again while another "
+                 "is left. A team without an opponent gets the points of a won meeting.",
+           Readers::page);
   return out;
 }
 

@@ -246,6 +246,29 @@ void of_round_robin(const TournamentView& view, const PValues& p, TournamentVerd
   }
 }
 
+// Who leads a Swiss tournament, or has won a knock-out. The rounds rank teams, and test no difference between them.
+void of_rounds(const TournamentView& view, TournamentVerdict& out) {
+  const auto rounds = view.course.calendar().drawn();
+  if (view.plan.asked.format == config::Tournament::Format::knock_out) {
+    const auto last =
+        std::ranges::find_if(rounds.rbegin(), rounds.rend(), [](const auto& each) { return !each.empty(); });
+    if (!view.course.complete() || last == rounds.rend()) {
+      out.sentence = fmt::format("Round {} of {} is played.", rounds.size(), view.plan.rounds());
+    } else {
+      out.sentence = team(view, view.course.winner(view.course.meetings()[last->front()])) << " wins the knock-out.";
+    }
+    return;
+  }
+  const std::vector<double> points = view.course.swiss_standing().points;
+  const double most = *std::ranges::max_element(points);
+  const auto leader = static_cast<std::size_t>(std::ranges::find(points, most) - points.begin());
+  const auto together = std::ranges::count(points, most);
+  out.sentence = team(view, leader);
+  if (together > 1) out.sentence << fmt::format(" and {} more", together - 1);
+  out.sentence << fmt::format(" {} most points, {:.1f}, in round {} of {}.", together > 1 ? "have" : "has", most,
+                              rounds.size(), view.plan.rounds());
+}
+
 void of_several(const TournamentView& view, TournamentVerdict& out) {
   if (view.course.matches() == 0) {
     out.sentence = "No match has been played yet: nothing can be said.";
@@ -254,6 +277,8 @@ void of_several(const TournamentView& view, TournamentVerdict& out) {
   const PValues p = p_values(view.course);
   if (view.plan.asked.format == config::Tournament::Format::gauntlet)
     of_gauntlet(view, p, out);
+  else if (view.plan.rounds() > 0)
+    of_rounds(view, out);
   else
     of_round_robin(view, p, out);
   if (!view.course.complete()) {

@@ -134,6 +134,7 @@ class Tournament final : public Study {
   const PacketsSpent& packets(std::size_t team) const { return packets_[team]; }
   std::uint64_t unplayed_pairs() const;  // sum over all pairings
   Verdict verdict() const;
+  SwissStanding swiss_standing() const;  // points of the matches, and of byes as if they had been won
   // The team of a knock-out's meeting that goes on: by points, then by goals, then the team that the plan names first.
   std::size_t winner(const Meeting& meeting) const;
   bool first_has_more() const;  // for a test on a value: the first team's value is larger
@@ -159,7 +160,6 @@ class Tournament final : public Study {
   bool nobody_is_left() const;
   Round round(std::uint64_t first, std::uint64_t end);  // the matches with indices from `first` on, before `end`
   std::vector<std::size_t> next_round() const;          // the pairings that meet
-  SwissStanding swiss_standing() const;
   std::uint64_t end() const { return 2 * plan_.meetings() * plan_.pairs_to_its_end(); }
   bool at_its_end() const {
     const bool all_drawn = calendar_.drawn().size() == calendar_.rounds();

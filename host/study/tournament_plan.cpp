@@ -349,8 +349,8 @@ Fixture Calendar::at(std::uint64_t index) const {
     pairing = static_cast<std::size_t>(index / 2 % pairings_.size());
   } else {
     assert(index < drawn_matches());
-    const auto round = static_cast<std::size_t>(std::ranges::upper_bound(first_of_round_, index) -
-                                                first_of_round_.begin() - 1);
+    const auto round =
+        static_cast<std::size_t>(std::ranges::upper_bound(first_of_round_, index) - first_of_round_.begin() - 1);
     const std::uint64_t in_round = (index - first_of_round_[round]) / 2;
     pair = round * pairs_ + in_round / drawn_[round].size();
     pairing = drawn_[round][static_cast<std::size_t>(in_round % drawn_[round].size())];
@@ -486,6 +486,11 @@ TournamentPlan without_end(TournamentPlan plan) {
 }
 
 config::Node until_the_clock(const config::Node& document) {
+  if (document["format"] && (document["format"].text() == "swiss" || document["format"].text() == "knock_out")) {
+    throw config::BadInput(
+        "--until and --minutes: a tournament in rounds is played to its end, or its teams would have different numbers "
+        "of matches");
+  }
   if (document["pairs"] || document["test"]) return document;
   const config::Location where{"--until or --minutes", 0, 0};
   return config::with(document, "pairs", config::Node::scalar(std::to_string(most_pairs), false, where), where);

@@ -52,10 +52,10 @@ inline constexpr const char* goals_value = "goals";
 // A team, with the facts that the program found when it made the plan.
 struct Entrant {
   std::string label;                    // the team's name, told apart from equal names
-  std::string title{};                  // shown to people in place of the label; empty: the label
   std::vector<campaign::Input> inputs;  // from campaign::team_inputs()
   // The inputs of the team's own disturbance, at home and away; empty if the team has no disturbance of its own.
   std::vector<campaign::Input> disturbances{};
+  std::string title{};  // shown to people in place of the label; empty: the label
 
   const std::string& shown() const { return title.empty() ? label : title; }
 };
@@ -82,8 +82,8 @@ struct TournamentPlan {
   std::vector<campaign::Input> common_inputs;
 
   std::vector<Pairing> pairings() const;  // all pairings that may meet
-  std::uint64_t pairs() const;  // largest number of pairs that each pairing plays, in rounds of each meeting
-  std::uint64_t rounds() const;  // 0: the schedule does not depend on results
+  std::uint64_t pairs() const;            // largest number of pairs that each pairing plays, in rounds of each meeting
+  std::uint64_t rounds() const;           // 0: the schedule does not depend on results
   std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs()); }
   bool ends_by_the_clock_alone() const;  // true if the user set neither pairs nor a test
   std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
@@ -117,7 +117,8 @@ class Calendar {
   // The fixture with this Fixture::number, with seed 0 and pair 0.
   Fixture of_number(std::size_t number) const;
   std::size_t fixtures() const { return 2 * pairings_.size() * openings_; }
-  // Returns the number of pairs that each team or meeting has behind it after so many matches, if they are equal for all.
+  // Returns the number of pairs that each team or meeting has behind it after so many matches, if they are equal for
+  // all.
   std::optional<std::uint64_t> pairs_after(std::uint64_t matches) const;
 
   // Rounds: the indices of the pairings that meet.

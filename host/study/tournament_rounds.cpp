@@ -17,9 +17,7 @@ class Monrad {
   Monrad(std::span<const std::size_t> order, const std::vector<std::vector<char>>& met)
       : order_(order.begin(), order.end()), met_(met), paired_(order.size(), 0) {}
 
-  std::optional<std::vector<TeamPair>> pairs() {
-    return complete() ? std::optional(std::move(out_)) : std::nullopt;
-  }
+  std::optional<std::vector<TeamPair>> pairs() { return complete() ? std::optional(std::move(out_)) : std::nullopt; }
 
  private:
   bool complete() {
@@ -55,8 +53,8 @@ DrawnRound swiss_round(const SwissStanding& standing) {
   std::ranges::stable_sort(order, std::greater(), [&](std::size_t team) { return standing.points[team]; });
   DrawnRound out;
   if (order.size() % 2 == 1) {
-    const auto last =
-        std::ranges::find_if(order.rbegin(), order.rend(), [&](std::size_t team) { return standing.had_bye[team] == 0; });
+    const auto last = std::ranges::find_if(order.rbegin(), order.rend(),
+                                           [&](std::size_t team) { return standing.had_bye[team] == 0; });
     out.bye = last == order.rend() ? order.back() : *last;
     std::erase(order, *out.bye);
   }

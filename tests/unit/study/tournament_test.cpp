@@ -5,7 +5,9 @@
 #include <gmock/gmock.h>
 #include <malloc.h>
 
+#include <algorithm>
 #include <random>
+#include <string>
 
 #include "statistics/anytime_valid_tests.hpp"
 #include "tournament_fixture.hpp"
@@ -54,6 +56,61 @@ TEST(Tournament, CountsPairsAndNotOnlyGames) {
   EXPECT_EQ(course.matches(), 12u);
   EXPECT_EQ(course.taken(), 12u);
   EXPECT_EQ(course.verdict(), Verdict::none);
+}
+
+// Plays a tournament in rounds. The team with the smaller number wins by a goal; `upset` is the winner of a meeting
+// that ends otherwise. Returns the teams of the first match of each pair, with its seed.
+std::vector<std::array<std::uint64_t, 3>> played_in_rounds(Tournament& course, std::array<std::size_t, 2> upset) {
+  std::vector<std::array<std::uint64_t, 3>> out;
+  std::uint64_t rows = 0;
+  course.run([&](const Round& round) {
+    EXPECT_EQ(round.first_row, rows);
+    rows += round.matches;
+    EXPECT_EQ(round.matches_of_a_pair, 0u) << "no clock stops it";
+    for (std::uint64_t i = 0; i < round.matches; ++i) {
+      const auto place = round.at(i);
+      ASSERT_TRUE(place);
+      const campaign::Job job = round.job(i);
+      EXPECT_EQ(job.seed, place->seed);
+      EXPECT_EQ(job.teams, round.fixtures[place->fixture].job.teams);
+      const std::size_t home = std::stoul(job.teams[0]), away = std::stoul(job.teams[1]);
+      if (i % 2 == 0) out.push_back({home, away, job.seed});
+      const bool is_upset = std::minmax(home, away) == std::minmax(upset[0], upset[1]);
+      const bool home_wins = is_upset ? home == upset[0] : home < away;
+      const campaign::MatchResult decided = home_wins ? match(1, 0) : match(0, 1);
+      EXPECT_EQ(round.first_of_pairing(i), i % 2 == 0);
+      EXPECT_TRUE(round.take(i, &decided));
+    }
+  });
+  EXPECT_EQ(rows, course.most_matches());
+  EXPECT_TRUE(course.complete());
+  return out;
+}
+
+TEST(Tournament, SwissRoundsAreDrawnFromTheResults) {
+  TournamentPlan plan = plan_of(5, 1);
+  plan.asked.format = config::Tournament::Format::swiss;
+  plan.asked.seed = 40;
+  EXPECT_EQ(plan.rounds(), 3u);
+  EXPECT_EQ(plan.matches(), 3u * 2u * 2u);
+  Tournament course(plan);
+  using Line = std::array<std::uint64_t, 3>;
+  // Team 4 has a bye, team 2 loses to team 3. Then 0, 3 and 4 have two points; team 2, the last without a bye, gets
+  // one. Then 0 has four points, 1, 2, 3 and 4 have two, and team 1, who would meet team 2, is the last of them: 3 gets
+  // the bye.
+  EXPECT_THAT(played_in_rounds(course, {3, 2}), ElementsAre(Line{0, 1, 40}, Line{2, 3, 40}, Line{0, 3, 41},
+                                                            Line{1, 4, 41}, Line{0, 2, 42}, Line{1, 4, 42}));
+}
+
+TEST(Tournament, InAKnockOutTheWinnersGoOn) {
+  TournamentPlan plan = plan_of(6, 1);
+  plan.asked.format = config::Tournament::Format::knock_out;
+  plan.asked.seed = 7;
+  EXPECT_EQ(plan.matches(), 10u);
+  Tournament course(plan);
+  using Line = std::array<std::uint64_t, 3>;
+  EXPECT_THAT(played_in_rounds(course, {4, 0}),
+              ElementsAre(Line{3, 4, 7}, Line{2, 5, 7}, Line{0, 3, 8}, Line{1, 2, 8}, Line{0, 1, 9}));
 }
 
 // What was played ahead is no part of it.
