@@ -89,7 +89,7 @@ class PairEvaluation {
 };
 
 // start: where the search begins.
-SearchSettings settings_of(const TuningPlan& plan, const ParameterValues& start) {
+SearchSettings search_settings(const TuningPlan& plan, const ParameterValues& start) {
   SearchSettings out;
   out.start = point_of(plan, start);
   out.evaluations = plan.evaluations() - 1 - plan.starts.size();  // base team and given points are evaluated first
@@ -180,7 +180,7 @@ SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out
   const auto best = std::ranges::max_element(values_of_first) - values_of_first.begin();
   const ParameterValues& start = first[static_cast<std::size_t>(best)];
   std::string stopped;
-  SearchResult found = search(plan.algorithm(), settings_of(plan, start), [&](const Question& question) {
+  SearchResult found = search(plan.algorithm(), search_settings(plan, start), [&](const Question& question) {
     if (steps.back().matches + matches > plan.evaluations() * matches) {
       stopped = "budget used up";
     } else if (out_of_time && out_of_time(steps.size())) {

@@ -54,6 +54,9 @@ struct TuningOpponent {
   std::array<campaign::Job, 2> jobs;  // [0]: base team at home, [1]: away; without seed and opening
 };
 
+// Values of all parameters, in the plan's order.
+using ParameterValues = std::vector<double>;
+
 struct TuningPlan {
   config::Tuning asked;  // relative paths start at `folder`
 
@@ -116,9 +119,6 @@ config::Overrides settings_of(const TuningPlan& plan, bool against_base);
 
 // Returns whether all numbers of the plan are in the ranges that a search needs.
 bool sound(const TuningPlan& plan);
-
-// Values of all parameters, in the plan's order.
-using ParameterValues = std::vector<double>;
 
 ParameterValues start_values(const TuningPlan& plan);
 
