@@ -31,8 +31,8 @@ function options(words) {
   return found;
 }
 
-// The decompressor's WebAssembly stands in the script: a page from disk cannot fetch. Recordings are compressed with
-// zstd or not at all, so the other two decompressors stay out.
+// The decompressor's WebAssembly stands in the script: a page from disk cannot fetch. LZ4 is unpacked by
+// src/recording/lz4.ts, and nobody compresses recordings with bzip2, so these two decompressors stay out.
 const decompressors = {
   name: "decompressors",
   setup(plugins) {

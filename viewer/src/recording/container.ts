@@ -6,11 +6,14 @@ import { McapRecordBuilder, McapStreamReader } from "@mcap/core";
 import { loadDecompressHandlers } from "@mcap/support";
 
 import { UnreadableRecording } from "./about";
+import { unpackLz4 } from "./lz4";
 import { chunkStarts, endsWell, magic, opcodes, recordAt } from "./records";
 
 export interface ContainerMessage {
   topic: string;
-  time: number; // s, of the log
+  channel: number;
+  sequence: number;
+  logTime: bigint; // ns
   data: Uint8Array;
 }
 
@@ -31,7 +34,22 @@ type Channel = Extract<RecordOfReader, { type: "Channel" }>;
 
 const sliceMilliseconds = 40; // then the browser may paint
 
-const pause = () => new Promise<void>((resolve) => setTimeout(resolve, 0));
+// Long work that lets the browser paint now and then, and says how far it is.
+export class Slices {
+  private began = performance.now();
+
+  constructor(private readonly progress: (share: number) => void) {}
+
+  get due(): boolean {
+    return performance.now() - this.began > sliceMilliseconds;
+  }
+
+  async rest(share: number): Promise<void> {
+    this.progress(share);
+    await new Promise<void>((resolve) => setTimeout(resolve, 0));
+    this.began = performance.now();
+  }
+}
 
 // Takes whole records. One that it cannot read does no harm to those after it.
 class Records {
@@ -80,8 +98,8 @@ class Records {
       if (record.type === "Channel") {
         this.channels.set(record.id, record);
       } else if (record.type === "Message") {
-        const topic = this.channels.get(record.channelId)?.topic ?? "";
-        this.visitor.message({ topic, time: Number(record.logTime) * 1e-9, data: record.data });
+        const { channelId: channel, sequence, logTime, data } = record;
+        this.visitor.message({ topic: this.channels.get(channel)?.topic ?? "", channel, sequence, logTime, data });
       } else if (record.type === "Metadata") {
         this.visitor.metadata(record.name, record.metadata);
       }
@@ -108,13 +126,13 @@ export async function readContainer(
     throw new UnreadableRecording("This is no recording of a match: the file is not in the MCAP format.");
   }
   const { starts, channels } = chunkStarts(bytes);
-  const records = new Records(await loadDecompressHandlers(), visitor, channels);
+  const records = new Records({ ...(await loadDecompressHandlers()), lz4: unpackLz4 }, visitor, channels);
   const found: Damage = { cutOff: false, parts: 0, reason: "" };
   const damaged = (reason: string) => {
     if (found.parts++ === 0) found.reason = reason;
     visitor.damage();
   };
-  let pausedAt = performance.now();
+  const slices = new Slices(progress);
   let next = 0; // place in `starts` of the first chunk after `at`
   for (let at = magic.length; ; ) {
     while (next < starts.length && starts[next]! <= at) ++next;
@@ -145,11 +163,7 @@ export async function readContainer(
       }
     }
     at = record.end;
-    if (performance.now() - pausedAt > sliceMilliseconds) {
-      progress(at / bytes.length);
-      await pause();
-      pausedAt = performance.now();
-    }
+    if (slices.due) await slices.rest(at / bytes.length);
   }
   return found;
 }

@@ -9,7 +9,8 @@ import { Segments } from "../model/segments";
 import { listText, timeText } from "../model/text";
 import { type About, type Side, UnreadableRecording, aboutOf, bothSides, sideNames } from "./about";
 import { WrongForm } from "./checked";
-import { type ContainerMessage, readContainer } from "./container";
+import { type ContainerMessage, Slices, readContainer } from "./container";
+import { aheadOfMatch, isInOrder, sortByTime } from "./in_time";
 import { Log, parsedJson } from "./log";
 import {
   type Belief,
@@ -72,7 +73,6 @@ const finished = phases.indexOf("finished");
 const mostRobots = 31;
 
 class Reading {
-  about: About | null = null;
   game: Game | null = null;
   events: EventMessage[] = [];
   readonly plays: PlayMessage[] = [];
@@ -89,11 +89,8 @@ class Reading {
   private open: Gap | null = null;
   faultCount = new Map<string, { count: number; first: string }>();
 
-  message({ topic, time, data }: ContainerMessage): void {
-    if (this.about === null) {
-      if (this.open === null) throw new UnreadableRecording(foreign);
-      return; // what describes the match may be what is damaged
-    }
+  // time: s, of the log
+  message(topic: string, time: number, data: Uint8Array): void {
     try {
       this.take(topic, time, data);
     } catch (error) {
@@ -188,27 +185,56 @@ function missingText(gaps: readonly Gap[]): string {
   return `${listText(few)} ${texts.length === 1 ? "is" : "are"} missing, the rest is shown`;
 }
 
+// Other topics are of something else: they take no memory.
+const ourTopics = /^\/(game|event|play|packet|heard|segment|log|draw|(decision|belief)\/(home|away)\/[1-9]\d*)$/;
+
+// Shares of the time that reading takes.
+const unpacking = 0.4;
+
 const early = "This recording breaks off before it describes its match.";
 const foreign = "This is an MCAP file, but not the recording of a match by Regista: it does not describe a match.";
 
-export async function readMatch(bytes: Uint8Array, progress?: (share: number) => void): Promise<Match> {
-  const reading = new Reading();
+const unordered =
+  "Of this recording the messages are not in the order of time, so this page cannot say what is missing of it.";
+
+export async function readMatch(bytes: Uint8Array, progress: (share: number) => void = () => {}): Promise<Match> {
+  const found: { about: About | null } = { about: null };
+  const messages: ContainerMessage[] = [];
+  const damagedBefore: number[] = []; // places in `messages`
   const damage = await readContainer(
     bytes,
     {
       metadata: (name, pairs) => {
-        if (name === "match") reading.about ??= aboutOf(pairs);
+        if (name === "match") found.about ??= aboutOf(pairs);
       },
-      message: (message) => reading.message(message),
-      damage: () => reading.damage(),
+      message: (message) => {
+        if (ourTopics.test(message.topic)) messages.push(message);
+      },
+      damage: () => damagedBefore.push(messages.length),
     },
-    progress,
+    (share) => progress(unpacking * share),
   );
-
-  const { about, game, packets } = reading;
-  reading.close();
   const broken = damage.parts > 0 ? ` The file is damaged: ${damage.reason}.` : damage.cutOff ? " It is cut off." : "";
+  const { about } = found;
   if (about === null) throw new UnreadableRecording(broken === "" ? foreign : early + broken);
+  if (!isInOrder(messages)) {
+    if (damage.parts > 0) throw new UnreadableRecording(unordered + broken);
+    sortByTime(messages);
+  }
+
+  const reading = new Reading();
+  const ahead = aheadOfMatch(messages);
+  const slices = new Slices(progress);
+  for (let i = 0, next = 0; ; ++i) {
+    for (; damagedBefore[next] === i; ++next) reading.damage();
+    const message = messages[i];
+    if (message === undefined) break;
+    const { topic, logTime, data } = message;
+    reading.message(topic, Math.max(0, Number(logTime - ahead) * 1e-9), data);
+    if (slices.due) await slices.rest(unpacking + ((1 - unpacking) * i) / messages.length);
+  }
+  reading.close();
+  const { game, packets } = reading;
   const faults: string[] = [];
   for (const [topic, { count, first }] of reading.faultCount) {
     faults.push(`${count} ${count === 1 ? "message" : "messages"} of ${topic} cannot be read, the first one ${first}.`);
