@@ -9,7 +9,8 @@ import { loadDecompressHandlers } from "@mcap/support";
 import { fromBase64 } from "../src/recording/embedded";
 import { unpackLz4 } from "../src/recording/lz4";
 import { readMatch } from "../src/recording/match";
-import { bytesOfTheTool, lz4Frame, ofTheTool, storedByTheTool, textOfTheTool } from "./lz4_frames";
+import { lz4Frame } from "../lz4_frame.mjs";
+import { bytesOfTheTool, ofTheTool, storedByTheTool, textOfTheTool } from "./lz4_frames";
 import { type Anew, type Logged, recording, withPlays } from "./synthetic";
 
 const written = (anew: Anew, chunkBytes = 20_000) =>

@@ -5,7 +5,7 @@ import { truncateSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { lz4Frame } from "./lz4_frames";
+import { lz4Frame } from "../lz4_frame.mjs";
 import { folder, open, pageOf, settle, synthetic, text } from "./page_kit";
 import { type Logged, metadata, recording } from "./synthetic";
 

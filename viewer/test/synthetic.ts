@@ -4,6 +4,8 @@
 import { McapWriter, TempBuffer } from "@mcap/core";
 import zstd from "@foxglove/wasm-zstd";
 
+import { packed } from "./packed";
+
 export const sizes = [3, 2] as const;
 export const seconds = 60;
 
@@ -30,6 +32,7 @@ export interface Anew {
   compression?: string;
   compress?: (chunk: Uint8Array) => Uint8Array;
   metadataLast?: boolean;
+  packed?: number; // not another program's, but a page's: so many messages in one record (packed.ts)
 }
 
 export interface Logged {
@@ -426,5 +429,5 @@ export async function recording(change: Change = {}): Promise<Uint8Array> {
     await writer.addMessage({ ...message, publishTime: message.logTime });
   if (anew.metadataLast === true) await describe();
   await writer.end();
-  return buffer.get();
+  return anew.packed === undefined ? buffer.get() : packed(pairs, messages, anew.packed);
 }

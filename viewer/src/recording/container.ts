@@ -6,7 +6,9 @@ import { McapRecordBuilder, McapStreamReader } from "@mcap/core";
 import { loadDecompressHandlers } from "@mcap/support";
 
 import { UnreadableRecording } from "./about";
+import { type Content, Encoded } from "./content";
 import { unpackLz4 } from "./lz4";
+import { packedOpcode, unpack } from "./packed";
 import { chunkStarts, endsWell, magic, opcodes, recordAt } from "./records";
 
 export interface ContainerMessage {
@@ -14,7 +16,7 @@ export interface ContainerMessage {
   channel: number;
   sequence: number;
   logTime: bigint; // ns
-  data: Uint8Array;
+  content: Content;
 }
 
 export interface Visitor {
@@ -31,6 +33,8 @@ export interface Damage {
 
 type RecordOfReader = NonNullable<ReturnType<McapStreamReader["nextRecord"]>>;
 type Channel = Extract<RecordOfReader, { type: "Channel" }>;
+
+type DecompressHandlers = Awaited<ReturnType<typeof loadDecompressHandlers>>;
 
 const sliceMilliseconds = 40; // then the browser may paint
 
@@ -57,7 +61,7 @@ class Records {
   private readonly channels = new Map<number, Channel>();
 
   constructor(
-    private readonly decompressHandlers: Awaited<ReturnType<typeof loadDecompressHandlers>>,
+    private readonly decompressHandlers: DecompressHandlers,
     private readonly visitor: Visitor,
     private readonly summary: Uint8Array, // records of channels, which may be missing before
   ) {}
@@ -98,8 +102,9 @@ class Records {
       if (record.type === "Channel") {
         this.channels.set(record.id, record);
       } else if (record.type === "Message") {
-        const { channelId: channel, sequence, logTime, data } = record;
-        this.visitor.message({ topic: this.channels.get(channel)?.topic ?? "", channel, sequence, logTime, data });
+        const { channelId: channel, sequence, logTime } = record;
+        const topic = this.channels.get(channel)?.topic ?? "";
+        this.visitor.message({ topic, channel, sequence, logTime, content: new Encoded(record.data) });
       } else if (record.type === "Metadata") {
         this.visitor.metadata(record.name, record.metadata);
       }
@@ -114,6 +119,7 @@ const read: readonly number[] = [
   opcodes.message,
   opcodes.chunk,
   opcodes.metadata,
+  packedOpcode,
 ];
 
 export async function readContainer(
@@ -126,7 +132,8 @@ export async function readContainer(
     throw new UnreadableRecording("This is no recording of a match: the file is not in the MCAP format.");
   }
   const { starts, channels } = chunkStarts(bytes);
-  const records = new Records({ ...(await loadDecompressHandlers()), lz4: unpackLz4 }, visitor, channels);
+  const decompress: DecompressHandlers = { ...(await loadDecompressHandlers()), lz4: unpackLz4 };
+  const records = new Records(decompress, visitor, channels);
   const found: Damage = { cutOff: false, parts: 0, reason: "" };
   const damaged = (reason: string) => {
     if (found.parts++ === 0) found.reason = reason;
@@ -156,7 +163,12 @@ export async function readContainer(
     }
     if (read.includes(record.opcode)) {
       try {
-        records.take(bytes.subarray(at, record.end));
+        if (record.opcode === packedOpcode) {
+          const tables = bytes.subarray(record.content, record.end);
+          for (const message of unpack(tables, decompress.zstd!)) visitor.message(message);
+        } else {
+          records.take(bytes.subarray(at, record.end));
+        }
       } catch (error) {
         if (error instanceof UnreadableRecording) throw error;
         damaged(error instanceof Error ? error.message : String(error));

@@ -9,6 +9,7 @@ import { Segments } from "../model/segments";
 import { listText, timeText } from "../model/text";
 import { type About, type Side, UnreadableRecording, aboutOf, bothSides, sideNames } from "./about";
 import { WrongForm } from "./checked";
+import type { Content } from "./content";
 import { type ContainerMessage, Slices, readContainer } from "./container";
 import { aheadOfMatch, isInOrder, sortByTime } from "./in_time";
 import { Log, parsedJson } from "./log";
@@ -52,7 +53,7 @@ export interface Gap {
   to: number | null;
 }
 
-// A whole match has some 15 MB; unpacked, a recording takes about five times its size in memory.
+// A whole match has some 22 MB; unpacked, a recording takes about five times its size in memory.
 export const mostBytes = 256 * 2 ** 20;
 
 // Events with which a phase begins; the truth is sampled, so a phase may begin between two samples.
@@ -90,9 +91,9 @@ class Reading {
   faultCount = new Map<string, { count: number; first: string }>();
 
   // time: s, of the log
-  message(topic: string, time: number, data: Uint8Array): void {
+  message(topic: string, time: number, content: Content): void {
     try {
-      this.take(topic, time, data);
+      this.take(topic, time, content);
     } catch (error) {
       if (!(error instanceof WrongForm)) throw error;
       const fault = this.faultCount.get(topic);
@@ -111,10 +112,10 @@ class Reading {
       this.gaps.push(this.open);
   }
 
-  private take(topic: string, time: number, data: Uint8Array): void {
+  private take(topic: string, time: number, content: Content): void {
     switch (topic) {
       case "/game": {
-        const message = gameOf(parsedJson(data));
+        const message = gameOf(parsedJson(content));
         if (this.game === null) {
           const sizes = [message.robots[0].length, message.robots[1].length] as const;
           if (Math.max(...sizes) > mostRobots) throw new WrongForm(`more than ${mostRobots} robots in a team`);
@@ -133,29 +134,29 @@ class Reading {
         return;
       }
       case "/event": {
-        const event = eventOf(parsedJson(data));
+        const event = eventOf(parsedJson(content));
         this.events.push(event);
         this.phase = phaseOfEvent[event.event] ?? this.phase;
         return;
       }
       case "/play":
-        this.plays.push(playOf(parsedJson(data)));
+        this.plays.push(playOf(parsedJson(content)));
         return;
       case "/packet": {
-        const packet = packetOf(parsedJson(data));
+        const packet = packetOf(parsedJson(content));
         return this.whenKnown(() => this.packets!.addSent(packet));
       }
       case "/heard": {
-        const heard = heardOf(parsedJson(data));
+        const heard = heardOf(parsedJson(content));
         return this.whenKnown(() => this.packets!.addHeard(heard));
       }
       case "/segment":
-        return this.segments.add(segmentOf(parsedJson(data)));
+        return this.segments.add(segmentOf(parsedJson(content)));
       case "/log":
-        this.lines.push(logLineOf(parsedJson(data)));
+        this.lines.push(logLineOf(parsedJson(content)));
         return;
       case "/draw":
-        return this.drawings.add(data);
+        return this.drawings.add(content);
     }
     const [, kind, sideName, digits] = topic.split("/");
     const side = sideNames.indexOf(sideName as "home" | "away") as Side | -1;
@@ -163,10 +164,10 @@ class Reading {
     if ((kind !== "decision" && kind !== "belief") || side === -1) return; // of something else: leave it
     if (!Number.isInteger(number) || number < 1 || number > mostRobots) return;
     if (kind === "decision") {
-      (this.decisions[side][number - 1] ??= new Log(decisionOf)).add(time, data);
+      (this.decisions[side][number - 1] ??= new Log(decisionOf)).add(time, content);
       (this.inPlay[side][number - 1] ??= []).push(this.phase === playing);
     } else {
-      (this.beliefs[side][number - 1] ??= new Log(beliefOf)).add(time, data);
+      (this.beliefs[side][number - 1] ??= new Log(beliefOf)).add(time, content);
     }
   }
 
@@ -229,8 +230,8 @@ export async function readMatch(bytes: Uint8Array, progress: (share: number) => 
     for (; damagedBefore[next] === i; ++next) reading.damage();
     const message = messages[i];
     if (message === undefined) break;
-    const { topic, logTime, data } = message;
-    reading.message(topic, Math.max(0, Number(logTime - ahead) * 1e-9), data);
+    const { topic, logTime, content } = message;
+    reading.message(topic, Math.max(0, Number(logTime - ahead) * 1e-9), content);
     if (slices.due) await slices.rest(unpacking + ((1 - unpacking) * i) / messages.length);
   }
   reading.close();
