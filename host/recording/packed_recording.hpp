@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A recording as a page holds it: every message whole, in a third of the bytes. Messages of a topic differ in little
+// A recording as a page holds it: every message whole, in two fifths of the bytes. Messages of a topic differ in little
 // but their numbers, so each form of message becomes a table: what stands between the numbers is written once, and each
 // column of numbers as differences from row to row. The page puts a message together when it is looked at
 // (viewer/src/recording/packed.ts).
