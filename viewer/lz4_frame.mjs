@@ -22,7 +22,8 @@ export function lz4Frame(bytes) {
     const before = known.get(four) ?? -65536;
     known.set(four, at);
     let copied = 0;
-    if (at - before < 65536) while (at + copied < bytes.length - 5 && bytes[before + copied] === bytes[at + copied]) ++copied;
+    const most = at - before < 65536 ? bytes.length - 5 - at : 0;
+    while (copied < most && bytes[before + copied] === bytes[at + copied]) ++copied;
     if (copied < 4) {
       ++at;
       continue;

@@ -67,7 +67,8 @@ test("a damaged record is left out and said, and the rest is read", async () => 
 });
 
 const program = process.env.REGISTA ?? "";
-test("what `regista view` packs is the match that was recorded", { skip: program === "" && "REGISTA names no program" }, async () => {
+const skip = program === "" && "REGISTA names no program";
+test("what `regista view` packs is the match that was recorded", { skip }, async () => {
   const folder = mkdtempSync(join(tmpdir(), "regista-packed-"));
   try {
     const [file, page] = [join(folder, "match.mcap"), join(folder, "match.html")];

@@ -24,8 +24,8 @@ export interface Change {
   anew?: Anew; // another program wrote it
 }
 
-// How another program writes a recording: the messages in the order that `order` gives, log times later by `later` (ns),
-// chunks compressed by `compress`, and who plays at the end.
+// How another program writes a recording: the messages in the order that `order` gives, log times later by `later`
+// (ns), chunks compressed by `compress`, and who plays at the end.
 export interface Anew {
   order?: (messages: readonly Logged[]) => Logged[];
   later?: bigint;

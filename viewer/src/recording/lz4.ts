@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md): other programs pack chunks so. The library's
-// own decompressor takes no frame any more after one that was damaged. Checksums are left alone: a chunk has its own.
+// LZ4 frames (https://github.com/lz4/lz4/blob/dev/doc/lz4_Frame_format.md): other programs pack chunks so. The
+// library's own decompressor takes no frame any more after one that was damaged. Checksums are left alone: a chunk has its own.
 
 const magicNumber = 0x184d2204;
 const flags = { version: 0xc0, blockChecksum: 0x10, contentSize: 0x08, contentChecksum: 0x04, dictionary: 0x01 };
