@@ -11,6 +11,8 @@ import { fileURLToPath } from "node:url";
 
 import { build } from "esbuild";
 
+import { lz4Frame } from "./lz4_frame.mjs";
+
 const root = dirname(fileURLToPath(import.meta.url));
 const require = createRequire(import.meta.url);
 const places = { recording: "@REGISTA_RECORDING@", name: "@REGISTA_RECORDING_NAME@" };
@@ -31,20 +33,25 @@ function options(words) {
   return found;
 }
 
-// The decompressor's WebAssembly stands in the script: a page from disk cannot fetch. Recordings are compressed with
-// zstd or not at all, so the other two decompressors stay out.
+// The decompressor's WebAssembly stands in the script, packed: a page from disk cannot fetch. LZ4 is unpacked by
+// src/recording/lz4.ts, and nobody compresses recordings with bzip2, so these two decompressors stay out.
 const decompressors = {
   name: "decompressors",
   setup(plugins) {
+    const lz4 = join(root, "src/recording/lz4.ts");
+    const wasm = readFileSync(join(dirname(require.resolve("@foxglove/wasm-zstd")), "wasm-zstd.wasm"));
     plugins.onLoad({ filter: /wasm-zstd[\\/]dist[\\/]index\.js$/ }, ({ path }) => {
       const original = readFileSync(path, "utf8");
       const contents = original.replace(
         "ModuleFactory()",
-        'ModuleFactory({ wasmBinary: require("./wasm-zstd.wasm") })',
+        `ModuleFactory({
+          wasmBinary: require(${JSON.stringify(lz4)}).unpackLz4(require("./wasm-zstd.wasm"), BigInt(${wasm.length})),
+        })`,
       );
       if (contents === original) throw new Error(`${path} does not load its WebAssembly as expected`);
       return { contents, loader: "js" };
     });
+    plugins.onLoad({ filter: /wasm-zstd\.wasm$/ }, () => ({ contents: lz4Frame(wasm), loader: "binary" }));
     plugins.onResolve({ filter: /^@foxglove\/wasm-(bz2|lz4)$/ }, ({ path }) => ({ path, namespace: "left-out" }));
     plugins.onLoad({ filter: /.*/, namespace: "left-out" }, ({ path }) => ({
       contents: `

@@ -21,9 +21,8 @@ std::uint32_t checksum(std::string_view bytes, std::uint32_t before) {
   return libdeflate_crc32(before, bytes.data(), bytes.size());
 }
 
-Compressor::Compressor() : context_(ZSTD_createCCtx(), ZSTD_freeCCtx) {
+Compressor::Compressor(int level) : context_(ZSTD_createCCtx(), ZSTD_freeCCtx) {
   if (context_ == nullptr) throw std::bad_alloc();
-  constexpr int level = 1;  // of 19; levels 2, 3, 5 and 7 compress numbers in text worse (benchmarks/README.md)
   ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, level);
 }
 

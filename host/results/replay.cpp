@@ -25,6 +25,7 @@
 #include "output/replaced_file.hpp"
 #include "process/file_descriptor.hpp"
 #include "recording/match_page.hpp"
+#include "recording/packed_recording.hpp"
 #include "recording/recorded_match.hpp"
 #include "recording/recording_metadata.hpp"
 #include "report/matches_section.hpp"
@@ -161,7 +162,7 @@ std::string viewer_page(const std::filesystem::path& recording, std::string_view
                         const Invocation& invocation) {
   require_viewer(invocation);
   const std::filesystem::path viewer = viewer_file(invocation);
-  const auto out = recording::match_page(required_content(viewer), required_content(recording), name, mark);
+  const auto out = recording::match_page(required_content(viewer), recording::packed_recording(recording), name, mark);
   if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
   return *out;
 }

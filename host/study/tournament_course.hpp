@@ -26,7 +26,9 @@
 #include "statistics/sequential_test.hpp"
 #include "study/measure.hpp"
 #include "study/study.hpp"
+#include "study/tournament_calendar.hpp"
 #include "study/tournament_plan.hpp"
+#include "study/tournament_rounds.hpp"
 
 namespace regista::study {
 

@@ -26,7 +26,6 @@
 #include "plugin/catalogue.hpp"
 #include "statistics/sequential_test.hpp"
 #include "study/settings.hpp"
-#include "study/tournament_rounds.hpp"
 
 namespace regista::study {
 
@@ -95,59 +94,8 @@ struct TournamentPlan {
   bool short_games() const { return !openings.empty() || asked.settings.limit; }
 };
 
-// A match of the schedule.
-struct Fixture {
-  std::size_t pairing = 0, home = 0, away = 0;  // home, away: indices of teams
-  bool swapped = false;                         // true if the pairing's second team is at home
-  std::size_t opening = 0;                      // 0 without openings
-  std::uint64_t pair = 0;                       // from 0
-  std::uint64_t seed = 0;
-  std::size_t number = 0;  // index into fixtures(); equal for matches that differ only in the seed
-};
-
-// The schedule of matches. Swiss and knock-out tournaments draw each round from the results of the rounds before; all
-// other schedules depend only on the plan.
-class Calendar {
- public:
-  explicit Calendar(const TournamentPlan& plan);
-  // Precondition: the round of the match has been drawn.
-  Fixture at(std::uint64_t index) const;
-  std::uint64_t matches() const { return 2 * pairs_ * meetings_; }
-  std::span<const Pairing> pairings() const { return pairings_; }
-  // The fixture with this Fixture::number, with seed 0 and pair 0.
-  Fixture of_number(std::size_t number) const;
-  std::size_t fixtures() const { return 2 * pairings_.size() * openings_; }
-  // Returns the number of pairs that each team or meeting has behind it after so many matches, if they are equal for
-  // all.
-  std::optional<std::uint64_t> pairs_after(std::uint64_t matches) const;
-
-  // Rounds: the indices of the pairings that meet.
-  std::uint64_t rounds() const { return rounds_; }  // 0: the schedule does not depend on results
-  std::span<const std::vector<std::size_t>> drawn() const { return drawn_; }
-  void draw(std::vector<std::size_t> pairings);
-  std::uint64_t drawn_matches() const { return first_of_round_.back(); }
-  std::size_t index_of(const TeamPair& teams) const;
-
- private:
-  std::vector<Pairing> pairings_;
-  std::size_t openings_;
-  bool opening_by_chance_;  // drawn_opening() selects the openings
-  std::uint64_t pairs_, meetings_, rounds_, first_seed_;
-  std::vector<std::vector<std::size_t>> drawn_;
-  std::vector<std::uint64_t> first_of_round_{0};  // index of the first match of each drawn round, and of the next round
-};
-
 // The team whose letter() is the first key of a path of the study's `set`; nullopt: the path is for all teams.
 std::optional<std::size_t> team_meant(const TournamentPlan& plan, const std::string& path);
-
-// The settings of the study that replace values in the documents of a fixture's match.
-config::Overrides settings_of(const TournamentPlan& plan, const Fixture& fixture);
-
-// The job of a fixture's match. `regista match` plays the same job.
-campaign::Job job(const TournamentPlan& plan, const Fixture& fixture);
-
-// All fixtures of the plan with their keys, in the order of Fixture::number.
-std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan);
 
 // The letter of a team in the paths of --set: "a" for the first team, "b", ... "z"; empty for later teams.
 std::string letter(std::size_t team);

@@ -2,14 +2,17 @@
 """Reads MCAP files (https://mcap.dev/spec) for the tests: written for them alone, with Debian's zstandard, so that it
 shares no mistake with the program. As far as the file goes: what a cut leaves behind is skipped, not guessed."""
 
+import decimal
 import io
+import itertools
 import json
 import struct
+import zlib
 
 import zstandard
 
 MAGIC = b"\x89MCAP0\r\n"
-SCHEMA, CHANNEL, MESSAGE, CHUNK, METADATA, DATA_END = 3, 4, 5, 6, 12, 15
+SCHEMA, CHANNEL, MESSAGE, CHUNK, METADATA, DATA_END, PACKED = 3, 4, 5, 6, 12, 15, 0x80
 
 
 def _text(data, at):
@@ -37,17 +40,77 @@ def records(data, at=0):
         at += 9 + size
 
 
+def _unpacked(content):
+    """[(topic, log time in ns, text)] of a record as a page has it (host/recording/packed_recording.hpp)."""
+    size, checksum = struct.unpack_from("<QI", content)
+    plain = io.BytesIO(zstandard.ZstdDecompressor().decompress(content[12:], max_output_size=size))
+    assert zlib.crc32(plain.getvalue()) == checksum and len(plain.getvalue()) == size
+
+    def whole():
+        value = shift = 0
+        while True:
+            byte = plain.read(1)[0]
+            value |= (byte & 127) << shift
+            shift += 7
+            if byte < 128:
+                return value
+
+    def signed(zigzag):
+        return -(zigzag + 1) // 2 if zigzag % 2 else zigzag // 2
+
+    def text():
+        return plain.read(whole())
+
+    def sums(count):
+        return list(itertools.accumulate(signed(whole()) for _ in range(count)))
+
+    def number(decimals, units):
+        exact = f"{decimal.Decimal(units).scaleb(-decimals):f}"
+        return (exact.rstrip("0").rstrip(".") if decimals else exact).encode()
+
+    topics = [text().decode() for _ in range(whole())]
+    times = sums(whole())
+    forms = []
+    for _ in range(whole()):
+        columns = whole()
+        pieces = [text() for _ in range(columns + 1)]
+        forms.append((pieces, [whole() for _ in range(columns)], whole()))
+    out, without = [None] * len(times), []
+    for pieces, decimals, rows in forms:
+        places, channels = sums(rows), sums(rows)
+        parts = [[pieces[0]] for _ in range(rows)]
+        for each, piece in zip(decimals, pieces[1:]):
+            units = 0
+            for row in parts:
+                if (value := whole()) == 0:
+                    without.append((row, len(row)))
+                else:
+                    units += signed(value - 1)
+                row += [number(each, units), piece]
+        for place, channel, row in zip(places, channels, parts):
+            assert out[place] is None
+            out[place] = (topics[channel], times[place], row)
+    for row, place in without:
+        row[place] = text()
+    assert plain.read() == b""
+    return [(topic, when, b"".join(row)) for topic, when, row in out]
+
+
 class Recording:
-    """messages: [(topic, parsed JSON)] in the order of the file; schemas: by topic; about: the metadata "match"."""
+    """messages: [(topic, parsed JSON)] in the order of the file; logged: [(topic, log time in ns, text)] of the same;
+    schemas: by topic; about: the metadata "match". A page's recording has no schemas."""
 
     def __init__(self, data):
         assert data.startswith(MAGIC), data[:8]
-        self.messages, self.schemas, self.about, self.chunks, self.whole = [], {}, {}, 0, False
+        self.messages, self.logged, self.schemas, self.about, self.chunks, self.whole = [], [], {}, {}, 0, False
         self._schemas, self._topics = {}, {}
         for opcode, content in records(data, len(MAGIC)):
             if opcode == CHUNK:
                 self.chunks += 1
                 self._chunk(content)
+            elif opcode == PACKED:
+                for topic, when, text in _unpacked(content):
+                    self._message(topic, when, text)
             elif opcode == METADATA:
                 name, at = _text(content, 0)
                 if name == "match":
@@ -77,9 +140,14 @@ class Recording:
                 self.schemas[topic] = self._schemas[schema]
             elif opcode == MESSAGE:
                 channel, _, log_time, publish_time = struct.unpack_from("<HIQQ", record)
-                message = json.loads(record[22:])
-                assert log_time == publish_time and abs(log_time / 1e9 - message["time"]) < 0.0006, message
-                self.messages.append((self._topics[channel], message))
+                assert log_time == publish_time
+                self._message(self._topics[channel], log_time, record[22:])
+
+    def _message(self, topic, log_time, text):
+        message = json.loads(text)
+        assert abs(log_time / 1e9 - message["time"]) < 0.0006, message
+        self.messages.append((topic, message))
+        self.logged.append((topic, log_time, text))
 
     def of(self, topic):
         return [message for each, message in self.messages if each == topic]

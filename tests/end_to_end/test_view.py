@@ -69,8 +69,27 @@ class Pages(View):
         page = (self.folder / "page.html").read_text()
         found = re.fullmatch(r'<html><script id="recording" data-name="([^"]*)">([A-Za-z0-9+/=]*)</script></html>', page)
         self.assertEqual(found[1], "my &lt;&quot;first&quot;&gt; &amp; best.mcap")
-        self.assertEqual(base64.b64decode(found[2], validate=True),
-                         (self.folder / 'my <"first"> & best.mcap').read_bytes())
+        data = base64.b64decode(found[2], validate=True)
+        shown, played = recorded.Recording(data), recorded.read(self.folder / 'my <"first"> & best.mcap')
+        self.assertEqual(shown.logged, played.logged)
+        self.assertEqual(shown.about, played.about)
+        self.assertTrue(shown.whole)
+        # A whole match has 1302 s; its page shall have at most 12 MB, with 0.9 MB of them for the viewer.
+        seconds = played.of("/game")[-1]["time"]
+        self.assertLess(len(found[2]) / seconds, 11.1e6 / 1302)
+
+    def test_the_page_of_a_damaged_recording_holds_it_as_it_is(self):
+        self.install_viewer()
+        whole = (self.folder / "a.mcap").read_bytes()
+        damaged = bytearray(whole)
+        damaged[len(whole) // 2] ^= 1
+        for name, data in (("cut", whole[:-100]), ("damaged", bytes(damaged))):
+            (self.folder / f"{name}.mcap").write_bytes(data)
+            done = self.run_program("view", f"{name}.mcap", "-o", "page.html", "--force")
+            self.assertEqual(done.returncode, 0)
+            self.assertRegex(done.stderr, rf"^regista: {name}\.mcap: is (cut off|damaged) at byte \d+")
+            found = re.search(r">([A-Za-z0-9+/=]+)<", (self.folder / "page.html").read_text())[1]
+            self.assertEqual(base64.b64decode(found, validate=True), data)
 
     def test_without_a_name_it_stands_beside_the_recording(self):
         self.install_viewer()
@@ -262,22 +281,14 @@ class WrittenAnew(View):
         page = (self.folder / "anew.html").read_text()
         self.assertIn('data-name="anew.mcap"', page)
         content = re.search(r">([A-Za-z0-9+/=]+)<", page)[1]
-        (self.folder / "copy.mcap").write_bytes(base64.b64decode(content, validate=True))
-        before, after = (written_anew((self.folder / name).read_bytes(), lambda messages: messages)
-                         for name in ("a.mcap", "copy.mcap"))
-
-        def by_topic(data):
-            topics, out = {}, {}
-            for opcode, content in recorded.records(data, len(recorded.MAGIC)):
-                if opcode == recorded.CHANNEL:
-                    size = struct.unpack_from("<I", content, 4)[0]
-                    topics[struct.unpack_from("<H", content)[0]] = content[8:8 + size].decode()
-                elif opcode == recorded.MESSAGE:
-                    channel, _, when, _ = struct.unpack_from("<HIQQ", content)
-                    out.setdefault(topics[channel], []).append((when, content[22:]))
+        def by_topic(recording):
+            out = {}
+            for topic, when, text in recording.logged:
+                out.setdefault(topic, []).append((when, text))
             return out
 
-        wanted, found = by_topic(before), by_topic(after)
+        wanted = by_topic(recorded.read(self.folder / "a.mcap"))
+        found = by_topic(recorded.Recording(base64.b64decode(content, validate=True)))
         self.assertEqual(found.keys(), wanted.keys())
         for topic in wanted.keys() - {"/heard"}:
             self.assertEqual(found[topic], wanted[topic], topic)

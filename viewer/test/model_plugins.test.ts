@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 
 import { around } from "../src/recording/log";
+import { Encoded } from "../src/recording/content";
 import { Drawings, layerText } from "../src/model/drawings";
 import { chosenLines, sumText } from "../src/model/log_lines";
 import { readMatch } from "../src/recording/match";
@@ -16,7 +17,8 @@ const match = await readMatch(await recording({ plugins: true }));
 const { drawings, lines } = match;
 const [targets, cells] = [0, 1]; // places of the layers
 const home = (number: number) => ({ side: 0, number }) as const;
-const bytes = (json: unknown) => new TextEncoder().encode(typeof json === "string" ? json : JSON.stringify(json));
+const bytes = (json: unknown) =>
+  new Encoded(new TextEncoder().encode(typeof json === "string" ? json : JSON.stringify(json)));
 
 test("lines are read as they were written, in the order of time", () => {
   assert.deepEqual(match.faults, []);

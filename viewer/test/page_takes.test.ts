@@ -5,8 +5,9 @@ import { truncateSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
+import { lz4Frame } from "../lz4_frame.mjs";
 import { folder, open, pageOf, settle, synthetic, text } from "./page_kit";
-import { metadata, recording } from "./synthetic";
+import { type Logged, metadata, recording } from "./synthetic";
 
 test("hostile names are text, and do not spread", async () => {
   const teams: [string, string] = [
@@ -150,9 +151,13 @@ test("a page without a recording opens a file that is chosen", async () => {
   await page.setInputFiles("#file", large);
   await page.waitForFunction(() => document.getElementById("start-text")!.textContent!.includes("257 MiB"));
   const good = join(folder, "good.mcap");
-  writeFileSync(good, await recording());
+  // As another program may write it.
+  const order = (messages: readonly Logged[]) => [...messages].reverse();
+  const anew = { order, later: 1_790_000_000_000_000_000n, compression: "lz4", compress: lz4Frame };
+  writeFileSync(good, await recording({ anew }));
   await page.setInputFiles("#file", good);
   await page.waitForFunction(() => document.body.dataset.state === "ready");
   assert.equal(await text(page, "#home-name"), "blue");
+  assert.equal(await text(page, "#faults"), "");
   await page.close();
 });

@@ -4,6 +4,8 @@
 import { McapWriter, TempBuffer } from "@mcap/core";
 import zstd from "@foxglove/wasm-zstd";
 
+import { packed } from "./packed";
+
 export const sizes = [3, 2] as const;
 export const seconds = 60;
 
@@ -19,6 +21,26 @@ export interface Change {
   more?: (time: number) => { topic: string; message: Json }[]; // written at each moment besides
   segments?: boolean; // plugins talk: see segmentsAt
   plugins?: boolean; // plugins write and draw: see linesAt and drawingsAt
+  anew?: Anew; // another program wrote it
+}
+
+// How another program writes a recording: the messages in the order that `order` gives, log times later by `later`
+// (ns), chunks compressed by `compress`, and who plays at the end.
+export interface Anew {
+  order?: (messages: readonly Logged[]) => Logged[];
+  later?: bigint;
+  compression?: string;
+  compress?: (chunk: Uint8Array) => Uint8Array;
+  metadataLast?: boolean;
+  packed?: number; // not another program's, but a page's: so many messages in one record (packed.ts)
+}
+
+export interface Logged {
+  topic: string;
+  channelId: number;
+  sequence: number;
+  logTime: bigint;
+  data: Uint8Array;
 }
 
 // Half a minute of play between 10 and 50 s.
@@ -322,17 +344,25 @@ export function metadata(teams: [string, string] = ["blue", "red"]): Record<stri
 
 export async function recording(change: Change = {}): Promise<Uint8Array> {
   await zstd.isLoaded;
+  const anew = change.anew ?? {};
   const buffer = new TempBuffer();
   const writer = new McapWriter({
     writable: buffer,
     chunkSize: change.chunkBytes ?? 20_000,
-    compressChunk: (data) => ({ compression: "zstd", compressedData: new Uint8Array(zstd.compress(data, 1)) }),
+    compressChunk: (data) => ({
+      compression: anew.compression ?? "zstd",
+      compressedData: anew.compress?.(data) ?? new Uint8Array(zstd.compress(data, 1)),
+    }),
   });
   await writer.start({ profile: "", library: "regista test" });
   const pairs = { ...metadata(change.teams), ...change.metadata };
   for (const key of change.without ?? []) delete pairs[key];
-  if (Object.keys(pairs).length > 0)
-    await writer.addMetadata({ name: "match", metadata: new Map(Object.entries(pairs)) });
+  const describe = async () => {
+    if (Object.keys(pairs).length > 0)
+      await writer.addMetadata({ name: "match", metadata: new Map(Object.entries(pairs)) });
+  };
+  if (anew.metadataLast !== true) await describe();
+  const messages: Logged[] = [];
   const channels = new Map<string, { id: number; count: number }>();
   const put = async (topic: string, message: Json) => {
     let channel = channels.get(topic);
@@ -342,11 +372,11 @@ export async function recording(change: Change = {}): Promise<Uint8Array> {
       channels.set(topic, channel);
     }
     const index = channel.count++;
-    const time = BigInt(Math.round((message.time as number) * 1e9));
+    const logTime = BigInt(Math.round((message.time as number) * 1e9)) + (anew.later ?? 0n);
     const changed = change.message === undefined ? message : change.message(topic, message, index);
     if (changed === undefined) return;
     const data = new TextEncoder().encode(change.raw?.(topic, index) ?? JSON.stringify(changed));
-    await writer.addMessage({ channelId: channel.id, sequence: index, logTime: time, publishTime: time, data });
+    messages.push({ topic, channelId: channel.id, sequence: index, logTime, data });
   };
   const names = ["home", "away"] as const;
   for (let i = 0; i <= 10 * seconds; ++i) {
@@ -395,6 +425,9 @@ export async function recording(change: Change = {}): Promise<Uint8Array> {
       roles: rolesAt(time),
     });
   }
+  for (const message of anew.order?.(messages) ?? messages)
+    await writer.addMessage({ ...message, publishTime: message.logTime });
+  if (anew.metadataLast === true) await describe();
   await writer.end();
-  return buffer.get();
+  return anew.packed === undefined ? buffer.get() : packed(pairs, messages, anew.packed);
 }

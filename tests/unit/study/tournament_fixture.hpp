@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "campaign/match_encoding.hpp"
+#include "study/tournament_calendar.hpp"
 #include "study/tournament_plan.hpp"
 
 namespace regista::study {

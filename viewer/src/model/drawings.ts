@@ -3,6 +3,7 @@
 // the same layer before, and stays until the next one; an empty one takes it away.
 import { type Side, bothSides } from "../recording/about";
 import { WrongForm } from "../recording/checked";
+import type { Content } from "../recording/content";
 import { Log } from "../recording/log";
 import { type Shape, drawingHeadOf, shapesOf } from "../recording/plugin_messages";
 import { timeText } from "./text";
@@ -34,15 +35,15 @@ export class Drawings {
   private firstFault = "";
   private tooMany = "";
 
-  add(data: Uint8Array): void {
-    const { time, side, robot, plugin, layer: name } = drawingHeadOf(data);
+  add(content: Content): void {
+    const { time, side, robot, plugin, layer: name } = drawingHeadOf(content);
     const key = JSON.stringify([plugin, name]);
     let entry = this.found.get(key);
     if (entry === undefined) this.found.set(key, (entry = { layer: { plugin, name }, logs: new Map() }));
     const drawer = `${side}/${robot}`;
     let log = entry.logs.get(drawer);
     if (log === undefined) entry.logs.set(drawer, (log = new Log(shapesOf)));
-    log.add(time, data);
+    log.add(time, content);
   }
 
   close(): void {

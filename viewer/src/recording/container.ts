@@ -6,12 +6,17 @@ import { McapRecordBuilder, McapStreamReader } from "@mcap/core";
 import { loadDecompressHandlers } from "@mcap/support";
 
 import { UnreadableRecording } from "./about";
+import { type Content, Encoded } from "./content";
+import { unpackLz4 } from "./lz4";
+import { packedOpcode, unpack } from "./packed";
 import { chunkStarts, endsWell, magic, opcodes, recordAt } from "./records";
 
 export interface ContainerMessage {
   topic: string;
-  time: number; // s, of the log
-  data: Uint8Array;
+  channel: number;
+  sequence: number;
+  logTime: bigint; // ns
+  content: Content;
 }
 
 export interface Visitor {
@@ -29,9 +34,26 @@ export interface Damage {
 type RecordOfReader = NonNullable<ReturnType<McapStreamReader["nextRecord"]>>;
 type Channel = Extract<RecordOfReader, { type: "Channel" }>;
 
+type DecompressHandlers = Awaited<ReturnType<typeof loadDecompressHandlers>>;
+
 const sliceMilliseconds = 40; // then the browser may paint
 
-const pause = () => new Promise<void>((resolve) => setTimeout(resolve, 0));
+// Long work that lets the browser paint now and then, and says how far it is.
+export class Slices {
+  private began = performance.now();
+
+  constructor(private readonly progress: (share: number) => void) {}
+
+  get due(): boolean {
+    return performance.now() - this.began > sliceMilliseconds;
+  }
+
+  async rest(share: number): Promise<void> {
+    this.progress(share);
+    await new Promise<void>((resolve) => setTimeout(resolve, 0));
+    this.began = performance.now();
+  }
+}
 
 // Takes whole records. One that it cannot read does no harm to those after it.
 class Records {
@@ -39,7 +61,7 @@ class Records {
   private readonly channels = new Map<number, Channel>();
 
   constructor(
-    private readonly decompressHandlers: Awaited<ReturnType<typeof loadDecompressHandlers>>,
+    private readonly decompressHandlers: DecompressHandlers,
     private readonly visitor: Visitor,
     private readonly summary: Uint8Array, // records of channels, which may be missing before
   ) {}
@@ -80,8 +102,9 @@ class Records {
       if (record.type === "Channel") {
         this.channels.set(record.id, record);
       } else if (record.type === "Message") {
-        const topic = this.channels.get(record.channelId)?.topic ?? "";
-        this.visitor.message({ topic, time: Number(record.logTime) * 1e-9, data: record.data });
+        const { channelId: channel, sequence, logTime } = record;
+        const topic = this.channels.get(channel)?.topic ?? "";
+        this.visitor.message({ topic, channel, sequence, logTime, content: new Encoded(record.data) });
       } else if (record.type === "Metadata") {
         this.visitor.metadata(record.name, record.metadata);
       }
@@ -96,6 +119,7 @@ const read: readonly number[] = [
   opcodes.message,
   opcodes.chunk,
   opcodes.metadata,
+  packedOpcode,
 ];
 
 export async function readContainer(
@@ -108,13 +132,14 @@ export async function readContainer(
     throw new UnreadableRecording("This is no recording of a match: the file is not in the MCAP format.");
   }
   const { starts, channels } = chunkStarts(bytes);
-  const records = new Records(await loadDecompressHandlers(), visitor, channels);
+  const decompress: DecompressHandlers = { ...(await loadDecompressHandlers()), lz4: unpackLz4 };
+  const records = new Records(decompress, visitor, channels);
   const found: Damage = { cutOff: false, parts: 0, reason: "" };
   const damaged = (reason: string) => {
     if (found.parts++ === 0) found.reason = reason;
     visitor.damage();
   };
-  let pausedAt = performance.now();
+  const slices = new Slices(progress);
   let next = 0; // place in `starts` of the first chunk after `at`
   for (let at = magic.length; ; ) {
     while (next < starts.length && starts[next]! <= at) ++next;
@@ -138,18 +163,19 @@ export async function readContainer(
     }
     if (read.includes(record.opcode)) {
       try {
-        records.take(bytes.subarray(at, record.end));
+        if (record.opcode === packedOpcode) {
+          const tables = bytes.subarray(record.content, record.end);
+          for (const message of unpack(tables, decompress.zstd!)) visitor.message(message);
+        } else {
+          records.take(bytes.subarray(at, record.end));
+        }
       } catch (error) {
         if (error instanceof UnreadableRecording) throw error;
         damaged(error instanceof Error ? error.message : String(error));
       }
     }
     at = record.end;
-    if (performance.now() - pausedAt > sliceMilliseconds) {
-      progress(at / bytes.length);
-      await pause();
-      pausedAt = performance.now();
-    }
+    if (slices.due) await slices.rest(at / bytes.length);
   }
   return found;
 }

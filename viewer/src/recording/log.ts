@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Messages of one topic by time, kept as bytes and taken apart when they are asked for.
+// Messages of one topic by time, kept as they are written and taken apart when they are asked for.
 import { WrongForm } from "./checked";
+import type { Content } from "./content";
 
-const decoder = new TextDecoder();
-
-export function parsedJson(data: Uint8Array): unknown {
+export function parsedJson(content: Content): unknown {
   try {
-    return JSON.parse(decoder.decode(data));
+    return JSON.parse(content.text());
   } catch {
     throw new WrongForm("it is not JSON");
   }
@@ -26,7 +25,7 @@ export function lastNotAfter(times: ArrayLike<number>, time: number, count = tim
 
 export class Log<T> {
   readonly times: number[] = [];
-  private readonly bytes: Uint8Array[] = [];
+  private readonly contents: Content[] = [];
   private readonly recent = new Map<number, T | WrongForm>();
 
   constructor(private readonly form: (json: unknown) => T) {}
@@ -36,11 +35,11 @@ export class Log<T> {
   }
 
   // Times may not fall.
-  add(time: number, data: Uint8Array): void {
+  add(time: number, content: Content): void {
     const last = this.times.length - 1;
     if (last >= 0 && time < this.times[last]!) throw new WrongForm("it is earlier than the one before it");
     this.times.push(time);
-    this.bytes.push(data);
+    this.contents.push(content);
   }
 
   // Throws WrongForm when the message is not as it should be.
@@ -61,11 +60,11 @@ export class Log<T> {
 
   // The same, remembering nothing: for walks over all of them.
   read(index: number): T {
-    return this.form(parsedJson(this.bytes[index]!));
+    return this.form(parsedJson(this.contents[index]!));
   }
 
   json(index: number): unknown {
-    return parsedJson(this.bytes[index]!);
+    return parsedJson(this.contents[index]!);
   }
 
   indexAt(time: number): number {

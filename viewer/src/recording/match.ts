@@ -9,7 +9,9 @@ import { Segments } from "../model/segments";
 import { listText, timeText } from "../model/text";
 import { type About, type Side, UnreadableRecording, aboutOf, bothSides, sideNames } from "./about";
 import { WrongForm } from "./checked";
-import { type ContainerMessage, readContainer } from "./container";
+import type { Content } from "./content";
+import { type ContainerMessage, Slices, readContainer } from "./container";
+import { aheadOfMatch, isInOrder, sortByTime } from "./in_time";
 import { Log, parsedJson } from "./log";
 import {
   type Belief,
@@ -51,7 +53,7 @@ export interface Gap {
   to: number | null;
 }
 
-// A whole match has some 15 MB; unpacked, a recording takes about five times its size in memory.
+// A whole match has some 22 MB; unpacked, a recording takes about five times its size in memory.
 export const mostBytes = 256 * 2 ** 20;
 
 // Events with which a phase begins; the truth is sampled, so a phase may begin between two samples.
@@ -72,7 +74,6 @@ const finished = phases.indexOf("finished");
 const mostRobots = 31;
 
 class Reading {
-  about: About | null = null;
   game: Game | null = null;
   events: EventMessage[] = [];
   readonly plays: PlayMessage[] = [];
@@ -89,13 +90,10 @@ class Reading {
   private open: Gap | null = null;
   faultCount = new Map<string, { count: number; first: string }>();
 
-  message({ topic, time, data }: ContainerMessage): void {
-    if (this.about === null) {
-      if (this.open === null) throw new UnreadableRecording(foreign);
-      return; // what describes the match may be what is damaged
-    }
+  // time: s, of the log
+  message(topic: string, time: number, content: Content): void {
     try {
-      this.take(topic, time, data);
+      this.take(topic, time, content);
     } catch (error) {
       if (!(error instanceof WrongForm)) throw error;
       const fault = this.faultCount.get(topic);
@@ -114,10 +112,10 @@ class Reading {
       this.gaps.push(this.open);
   }
 
-  private take(topic: string, time: number, data: Uint8Array): void {
+  private take(topic: string, time: number, content: Content): void {
     switch (topic) {
       case "/game": {
-        const message = gameOf(parsedJson(data));
+        const message = gameOf(parsedJson(content));
         if (this.game === null) {
           const sizes = [message.robots[0].length, message.robots[1].length] as const;
           if (Math.max(...sizes) > mostRobots) throw new WrongForm(`more than ${mostRobots} robots in a team`);
@@ -136,29 +134,29 @@ class Reading {
         return;
       }
       case "/event": {
-        const event = eventOf(parsedJson(data));
+        const event = eventOf(parsedJson(content));
         this.events.push(event);
         this.phase = phaseOfEvent[event.event] ?? this.phase;
         return;
       }
       case "/play":
-        this.plays.push(playOf(parsedJson(data)));
+        this.plays.push(playOf(parsedJson(content)));
         return;
       case "/packet": {
-        const packet = packetOf(parsedJson(data));
+        const packet = packetOf(parsedJson(content));
         return this.whenKnown(() => this.packets!.addSent(packet));
       }
       case "/heard": {
-        const heard = heardOf(parsedJson(data));
+        const heard = heardOf(parsedJson(content));
         return this.whenKnown(() => this.packets!.addHeard(heard));
       }
       case "/segment":
-        return this.segments.add(segmentOf(parsedJson(data)));
+        return this.segments.add(segmentOf(parsedJson(content)));
       case "/log":
-        this.lines.push(logLineOf(parsedJson(data)));
+        this.lines.push(logLineOf(parsedJson(content)));
         return;
       case "/draw":
-        return this.drawings.add(data);
+        return this.drawings.add(content);
     }
     const [, kind, sideName, digits] = topic.split("/");
     const side = sideNames.indexOf(sideName as "home" | "away") as Side | -1;
@@ -166,10 +164,10 @@ class Reading {
     if ((kind !== "decision" && kind !== "belief") || side === -1) return; // of something else: leave it
     if (!Number.isInteger(number) || number < 1 || number > mostRobots) return;
     if (kind === "decision") {
-      (this.decisions[side][number - 1] ??= new Log(decisionOf)).add(time, data);
+      (this.decisions[side][number - 1] ??= new Log(decisionOf)).add(time, content);
       (this.inPlay[side][number - 1] ??= []).push(this.phase === playing);
     } else {
-      (this.beliefs[side][number - 1] ??= new Log(beliefOf)).add(time, data);
+      (this.beliefs[side][number - 1] ??= new Log(beliefOf)).add(time, content);
     }
   }
 
@@ -188,27 +186,56 @@ function missingText(gaps: readonly Gap[]): string {
   return `${listText(few)} ${texts.length === 1 ? "is" : "are"} missing, the rest is shown`;
 }
 
+// Other topics are of something else: they take no memory.
+const ourTopics = /^\/(game|event|play|packet|heard|segment|log|draw|(decision|belief)\/(home|away)\/[1-9]\d*)$/;
+
+// Shares of the time that reading takes.
+const unpacking = 0.4;
+
 const early = "This recording breaks off before it describes its match.";
 const foreign = "This is an MCAP file, but not the recording of a match by Regista: it does not describe a match.";
 
-export async function readMatch(bytes: Uint8Array, progress?: (share: number) => void): Promise<Match> {
-  const reading = new Reading();
+const unordered =
+  "Of this recording the messages are not in the order of time, so this page cannot say what is missing of it.";
+
+export async function readMatch(bytes: Uint8Array, progress: (share: number) => void = () => {}): Promise<Match> {
+  const found: { about: About | null } = { about: null };
+  const messages: ContainerMessage[] = [];
+  const damagedBefore: number[] = []; // places in `messages`
   const damage = await readContainer(
     bytes,
     {
       metadata: (name, pairs) => {
-        if (name === "match") reading.about ??= aboutOf(pairs);
+        if (name === "match") found.about ??= aboutOf(pairs);
       },
-      message: (message) => reading.message(message),
-      damage: () => reading.damage(),
+      message: (message) => {
+        if (ourTopics.test(message.topic)) messages.push(message);
+      },
+      damage: () => damagedBefore.push(messages.length),
     },
-    progress,
+    (share) => progress(unpacking * share),
   );
-
-  const { about, game, packets } = reading;
-  reading.close();
   const broken = damage.parts > 0 ? ` The file is damaged: ${damage.reason}.` : damage.cutOff ? " It is cut off." : "";
+  const { about } = found;
   if (about === null) throw new UnreadableRecording(broken === "" ? foreign : early + broken);
+  if (!isInOrder(messages)) {
+    if (damage.parts > 0) throw new UnreadableRecording(unordered + broken);
+    sortByTime(messages);
+  }
+
+  const reading = new Reading();
+  const ahead = aheadOfMatch(messages);
+  const slices = new Slices(progress);
+  for (let i = 0, next = 0; ; ++i) {
+    for (; damagedBefore[next] === i; ++next) reading.damage();
+    const message = messages[i];
+    if (message === undefined) break;
+    const { topic, logTime, content } = message;
+    reading.message(topic, Math.max(0, Number(logTime - ahead) * 1e-9), content);
+    if (slices.due) await slices.rest(unpacking + ((1 - unpacking) * i) / messages.length);
+  }
+  reading.close();
+  const { game, packets } = reading;
   const faults: string[] = [];
   for (const [topic, { count, first }] of reading.faultCount) {
     faults.push(`${count} ${count === 1 ? "message" : "messages"} of ${topic} cannot be read, the first one ${first}.`);

@@ -4,6 +4,7 @@
 // taken apart when the recording is opened.
 import type { Side } from "./about";
 import * as checked from "./checked";
+import type { Content } from "./content";
 import { parsedJson } from "./log";
 import { type Point, point, sideOf } from "./messages";
 
@@ -56,13 +57,12 @@ export function logLineOf(json: unknown): LogLine {
   };
 }
 
-const mostHeadBytes = 600;
-const decoder = new TextDecoder();
+const mostHeadLetters = 600;
 
 // What stands before the shapes, closed again: within a text of JSON no quotation mark stands without its backslash, so
 // this is the key itself. null: the shapes stand elsewhere.
-function beforeShapes(data: Uint8Array): unknown {
-  const start = decoder.decode(data.subarray(0, mostHeadBytes));
+function beforeShapes(content: Content): unknown {
+  const start = content.text(mostHeadLetters);
   const end = start.search(/,\s*"shapes"\s*:/);
   if (end < 0) return null;
   try {
@@ -74,10 +74,10 @@ function beforeShapes(data: Uint8Array): unknown {
 
 const headKeys = ["time", "side", "robot", "plugin", "layer"];
 
-export function drawingHeadOf(data: Uint8Array): DrawingHead {
-  const start = beforeShapes(data);
+export function drawingHeadOf(content: Content): DrawingHead {
+  const start = beforeShapes(content);
   const complete = typeof start === "object" && start !== null && headKeys.every((key) => key in start);
-  const m = checked.object(complete ? start : parsedJson(data), "the message");
+  const m = checked.object(complete ? start : parsedJson(content), "the message");
   return {
     time: checked.number(m.time, "time"),
     side: sideOf(m.side, "side"),

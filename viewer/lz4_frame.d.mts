@@ -1,0 +1,2 @@
+// SPDX-License-Identifier: MIT
+export function lz4Frame(bytes: Uint8Array): Uint8Array;
