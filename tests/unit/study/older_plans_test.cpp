@@ -12,6 +12,7 @@
 
 #include "campaign/job.hpp"
 #include "study/experiment_plan.hpp"
+#include "study/tournament_calendar.hpp"
 #include "study/tournament_plan.hpp"
 #include "study/tuning/tuning_plan.hpp"
 #include "texts/json.hpp"
