@@ -16,6 +16,7 @@
 #include "goal_count_document.hpp"
 #include "results/study_kind.hpp"
 #include "study/study.hpp"
+#include "study/tournament_calendar.hpp"
 #include "study/tournament_plan.hpp"
 #include "texts/json.hpp"
 
