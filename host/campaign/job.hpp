@@ -38,7 +38,7 @@ struct Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
-// The key of a stored match: the number that the store gave to its fixture, and its seed.
+// The key of a stored match: the number that the store gave to its fixture (the match without its seed), and its seed.
 struct MatchKey {
   std::int64_t fixture = 0;
   std::uint64_t seed = 0;

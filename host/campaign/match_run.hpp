@@ -46,7 +46,7 @@ class MatchRun {
   enum class Stage {
     first,          // plays the match for the first time
     second,         // tests the first play: perturbed, one process for each robot
-    isolated,       // after a death: one process for each team, which shows the team that causes the death
+    isolated,       // after the worker died: one process for each team, to find the team whose process dies
     alone,          // after a failed second play: not perturbed, one process for each robot
     traced,         // after plays with different results: perturbed, with the processes of the first play
     traced_alone,   // if `traced` had the result of `first`: perturbed, one process for each robot

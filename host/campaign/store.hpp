@@ -95,7 +95,8 @@ class Store {
   // Returns a warning about this file for readers of its results, one line; empty for most files.
   std::string remark() const;
 
-  // Throws StoreDamaged for the first match in the rows from `from` to `to` for which `planned` returns false.
+  // Throws StoreDamaged for the first match in the rows from `from` to `to` for which `planned` returns false, which
+  // means that the study's plan does not have this match in this row.
   using Planned = std::function<bool(std::int64_t row, const MatchKey& key)>;
   void require_planned(std::int64_t from, std::int64_t to, const Planned& planned) const;
 

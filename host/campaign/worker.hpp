@@ -25,7 +25,8 @@
 
 namespace regista::campaign {
 
-// The first try of a confined mind to reach outside of its process, and the call of a plugin in which this happened.
+// The first try of a confined mind (process/confinement.hpp) to reach outside of its process, and the call of a plugin
+// in which this happened.
 struct OutsideNote {
   std::array<char, 48> what{};  // "open a file for writing"; empty: no mind has tried
   plugin::CallNote call;

@@ -270,7 +270,8 @@ Team read_document<Team>(const Node& document, Mistakes& mistakes) {
   Team team;
   const Mistakes of_page = mistakes;
   for (std::size_t i = 0; i < page.contexts.size(); ++i) {
-    // A mistake that one context causes in a value of the team must not affect the other contexts.
+    // Each context lays its `use:` over the team's values. If the value of one context is wrong, the team's value at
+    // this path must not count as wrong for the other contexts. So each context has its own copy of the mistakes.
     Mistakes of_context = of_page;
     team.contexts.push_back(resolved(page.contexts[i], document, page, fmt::format("contexts.{}.use", i), of_context));
     mistakes.take_over(of_context);

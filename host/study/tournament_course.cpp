@@ -149,7 +149,8 @@ Round Tournament::round(std::uint64_t first, std::uint64_t end) {
   out.job = [this, first](std::uint64_t index) { return job(plan_, calendar_.at(first + index)); };
   out.take = [this](std::uint64_t, const campaign::MatchResult* decided) { return take(decided); };
   out.may_end_early = !std::holds_alternative<FixedNumber>(objective_) || plan_.ended_after;
-  // A clock never stops a tournament in rounds, because its teams would have different numbers of matches.
+  // 0: no time limit (--until, --minutes) may stop a tournament in rounds (Swiss or knock-out). Otherwise some of its
+  // teams would have played more matches than others.
   out.matches_of_a_pair = calendar_.rounds() > 0 ? 0 : 2 * calendar_.pairings().size();
   out.first_of_pairing = [this, first](std::uint64_t index) {
     const Fixture fixture = calendar_.at(first + index);

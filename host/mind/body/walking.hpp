@@ -48,7 +48,9 @@ class Obstacles {
   std::size_t count_ = 0;
 };
 
-// Returns Body::robots_near, goal posts, and those opponents and teammates that the world model places near the robot.
+// Returns what the robot must walk around: the robots in Body::robots_near, which it saw or touched in the last second;
+// the opponents and active teammates that its world model places within 1.5 m, teammates only if their position is
+// younger than 3 s; and, within 1.2 m of a goal line (measured along the field), the posts of that goal.
 Obstacles obstacles_around(const Body& body);
 
 // Returns the next point on the way from `from` to `to`: a point beside the first obstacle in the way, or `to` itself.

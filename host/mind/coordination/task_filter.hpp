@@ -39,11 +39,13 @@ struct FilterRule {
   bool all = false;         // true: keep() keeps every task, except tasks bound to an inactive robot
 };
 
-// keep() keeps no more tasks than there are active robots. `active`: numbers of the active robots, ascending. `played`:
-// ids of the tasks that active robots play by the world model. keep() takes first tasks bound to an active robot, then
-// required tasks, then the tasks nearest to a waypoint (their own waypoint or a free waypoint). If the context has no
-// waypoints, keep() takes the first tasks. It never keeps a task bound to an inactive robot. The filter has no memory,
-// so robots with equal worlds keep equal tasks. kept: ascending indices of `tasks`.
+// keep() keeps at most as many tasks as there are active robots, or every task if rule.all is true; never a task bound
+// to an inactive robot. It prefers tasks bound to an active robot, then required tasks, then tasks near their waypoint:
+// the waypoint that belongs to the task or, if there is none, the nearest waypoint that belongs to no task and no
+// robot. A task without any such waypoint counts as at distance 0. Of equally near tasks, the earlier is preferred. The
+// filter has no memory, so robots with equal worlds keep equal tasks.
+// active: numbers of the active robots, ascending. played: ids of the tasks that, according to the robot's world model,
+// active robots play now; such a task counts as nearer by rule.hysteresis. kept: ascending indices of `tasks`.
 class TaskFilter {
  public:
   TaskFilter(std::size_t most_tasks, std::size_t most_waypoints);
