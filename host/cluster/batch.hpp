@@ -13,7 +13,8 @@
 
 namespace regista::cluster {
 
-// A range of indices in a round, counted from 0: from `begin` up to `end`, without `end`.
+// A range of indices, counted from 0, of matches in a round (study::Round: matches that can be played in any order):
+// from `begin` up to `end`, without `end`.
 struct Slice {
   std::uint64_t begin = 0, end = 0;
   friend bool operator==(const Slice&, const Slice&) = default;

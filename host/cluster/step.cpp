@@ -53,7 +53,8 @@ void copy_over(const fs::path& from, const fs::path& to) {
   throw output::WriteError(fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), error.message()));
 }
 
-// Returns options of sbatch with the excluded nodes. The gather job gets only account, QOS, reservation, partition.
+// Returns options of sbatch with the excluded nodes. of_tasks: false for the gather job, which takes a step after the
+// job array; of the user's options it gets only account, QOS, reservation and partition.
 std::vector<std::string> sbatch_options(const Settings& settings, const Progress& progress, bool of_tasks) {
   std::vector<std::string> out;
   if (!settings.partition.empty()) out.push_back("--partition=" + settings.partition);
