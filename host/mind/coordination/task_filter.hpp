@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // TaskFilter reduces M tasks to N (Affinita et al. 2023): "the filtering process for the N out of M tasks is done
-// through the proximity of the tasks to the nodes". WaypointMatching and offset() move the N tasks towards nodes.
+// through the proximity of the tasks to the nodes". WaypointMatching and offset() move the N tasks towards nodes. The
+// nodes are waypoints here, which a positioner plugin makes.
 #pragma once
 
 #include <cstddef>
@@ -71,7 +72,7 @@ class TaskFilter {
 // index in the context. Changes nothing if no waypoint belongs to the task.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
 
-// Moves the task like offset(), but towards the waypoint that belongs to robot `number`. The robot has taken the task.
+// Moves the task like offset(), but towards the waypoint that belongs to robot `number`, which has taken the task.
 void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most);
 
 // Matches each task with a different node. Affinita et al. 2023 move tasks by "applying offsets to the tasks in their

@@ -57,7 +57,8 @@ std::optional<std::int32_t> level_of(std::string_view name);
 // Returns text such as "[warning] home 3, tick 124, voronoi: two points coincide".
 std::string to_string(const LogLine& line);
 
-// Limit for to_standard_error() in a process that stores its standard error with the match. Bytes of log for each side.
+// Bytes of log for each side: the limit for to_standard_error() in a process whose standard error is stored with the
+// match.
 inline constexpr std::size_t most_kept_of_log = 1500;
 
 // Returns a sink that writes lines of this level and above to standard error. most_bytes: limit of bytes for each side;
