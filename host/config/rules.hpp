@@ -110,7 +110,7 @@ double packet_share(const Rules& rules, std::optional<double> seconds);
 // begins in play, or with Ready before a kick-off.
 void fit_packets(Rules& rules, std::optional<double> seconds, bool begins_in_play);
 
-// Returns the number of packets that a team may send in this game, rounded down.
+// Returns the number of packets that a team may send in the game for which fit_packets() was called, rounded down.
 int packets(const Messages& messages);
 
 // Returns the time in which a team may send during a whole match, s.

@@ -223,7 +223,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
   return context;
 }
 
-// Whether the title is of the team that this document extends. A page that gives another name is another team.
+// Whether the title is of the team that this document extends. A document that gives another name is another team.
 bool is_of_base(const Node& document) {
   const Location &title = document["title"].where(), &name = document["team"].where();
   return title.file != name.file && !title.laid;

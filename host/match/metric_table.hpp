@@ -19,7 +19,7 @@
 
 namespace regista::match {
 
-// The match, side and member whose number a row reads.
+// The match, side and member (a role, event or plugin metric of a team) whose number a row reads.
 struct MetricSource {
   const Result& result;
   std::optional<double> packets_share{};  // packets: a short match's share of the budget; nothing: a whole match
