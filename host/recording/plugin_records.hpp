@@ -61,8 +61,8 @@ struct SegmentRecord {
 // Writes "side":"home","robot":3,"segment":"offered", ... into an open JSON object (docs/recordings.md).
 void write(texts::JsonText& json, const SegmentRecord& record);
 
-// --- Drawings of plugins in the field. All drawings would be the largest part of a recording. Therefore a layer is
-// recorded only when it has changed, and at most twice a second.
+// --- Drawings of plugins in the field. All drawings would be the largest part of a recording. Therefore a layer (the
+// shapes that a plugin draws under one name) is recorded only when it has changed, and at most twice a second.
 
 class DrawnLayers {
  public:

@@ -60,8 +60,8 @@ struct TunedValue {
 // no candidates.
 std::vector<TunedValue> tuned_values(const TuningView& view);
 
-// Returns the index of the finalist whose values are the centre of the slices: the kept finalist or, if none was kept,
-// the first finalist. Returns nothing if there are no finalists.
+// Returns the index of the finalist whose values are the centre of the slices: record.tuned() or, if there are no
+// candidates, the first finalist. Returns nothing if there are no finalists.
 std::optional<std::size_t> slice_centre(const study::TuningRecord& record);
 
 // The result of the verification for one finalist. A finalist in the verification is called a candidate.

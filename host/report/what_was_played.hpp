@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part "What was played" of every report: teams, rules, robots, disturbances, scenes, number of matches, program,
-// and the complete document with which a user can repeat the study. The file also compares the documents of teams.
+// and the complete document with which a user can repeat the study. This header also declares functions that compare
+// the documents of teams.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -45,7 +46,7 @@ struct WhatWasPlayed {
   std::vector<campaign::Input> inputs;  // all inputs, each once
   std::string document;                 // document of the study with all values, including defaults; empty for a match
   std::vector<std::string> changed;     // result of not_as_before()
-  bool may_end_by_the_clock = false;    // true: a clock may end the study, so another machine may play other matches
+  bool may_end_by_the_clock = false;    // true: a time limit may end it, so another machine may play other matches
 };
 
 // Returns the part that all studies have in common. common: inputs of all matches. openings: one input for each scene.

@@ -205,7 +205,8 @@ OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::opti
   const double most = plan.asked.search.minutes ? 60.0 * *plan.asked.search.minutes : HUGE_VAL;
   return [&store, most, end_of_time, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-    // The search repeats an earlier run from stored results, which takes no time, so the clock does not stop it here.
+    // The search repeats an earlier run from stored results, which takes no time, so the time limit does not stop it
+    // here.
     if (evaluations < before.evaluations) return false;
     if (!began) began = Clock::now();
     const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A tuning is a study, and each of its batches of matches is a round. Its stages are: search (pair_search.hpp),
 // selection of the best points on other seeds, verification against the base team on held-out seeds, and slices around
-// the tuned point. The course depends only on the plan and the results. The number of workers does not change the
-// course, and the same course results from matches that are played or read from a file.
+// the tuned point. All stages depend only on the plan and the results: neither the number of workers nor reading the
+// matches from a file instead of playing them changes anything.
 #pragma once
 
 #include <array>
