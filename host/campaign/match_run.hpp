@@ -36,7 +36,7 @@ class MatchRun {
   // --- Precondition: advance() has returned true.
   const MatchResult& decided() const { return *decided_; }
   int plays() const { return plays_; }  // number of plays, without plays that only record the match
-  // Describes the death of a worker, if another worker then played the match to its end; otherwise empty.
+  // Says how a worker died, if another worker then played the match to its end; otherwise empty.
   const std::string& accident() const { return accident_; }
   const std::string& not_recorded() const { return not_recorded_; }  // why the recording is missing; usually empty
 

@@ -313,7 +313,7 @@ void look_whether_it_is_over(const StudyFolder& folder, const results::Invocatio
       // A task that ended meanwhile found the file of results in use, so this process gathers the task's matches.
     } while (++looks < most_looks && something_is_left());
   } catch (const campaign::StoreInUse&) {
-    // The error is ignored, because another process takes a step at present.
+    // The file of results is locked, so another process takes a step at present, and this task takes none.
   } catch (const std::exception& error) {
     // The study continues: the next step tries again.
     command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));

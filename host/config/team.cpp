@@ -223,7 +223,8 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
   return context;
 }
 
-// Whether the title is of the team that this document extends. A document that gives another name is another team.
+// Returns whether the title stands in the extended document, but the name does not. The document is then another team,
+// which must not have this title.
 bool is_of_base(const Node& document) {
   const Location &title = document["title"].where(), &name = document["team"].where();
   return title.file != name.file && !title.laid;

@@ -129,7 +129,7 @@ struct UtilityTerm {
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double hysteresis = 0.0;      // m; a task that a robot reports to play counts as so much nearer to a waypoint
+  double hysteresis = 0.0;      // m; a task that a robot plays counts as nearer to its waypoint by this distance
   double offset_at_most = 0.5;  // largest offset of a role's place, m; 0: no offset
   Knowledge knowledge = Knowledge::mine;  // knowledge for the placement of tasks
   // Knowledge for the positioner and for the choice of tasks. Default: `knowledge`.

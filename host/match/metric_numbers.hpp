@@ -104,7 +104,7 @@ class MetricNumbers {
   std::vector<double> values_;
 };
 
-// Returns the path without a leading "roles.". The prefix has no meaning.
+// Returns the path without a leading "roles.": "roles.striker.switches" and "striker.switches" name the same number.
 std::string_view without_roles(std::string_view path);
 
 // Names of numbers of packets that a team sent. Only a match that is shorter than a whole match (an opening, a time

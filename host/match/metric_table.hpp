@@ -90,9 +90,10 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 // "roles.striker.overlap_seconds" and "overlap_seconds" belong to the same row.
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
 
-// Returns the paths by which a study may name the metrics of a team: without lists: first the metrics that do not
-// belong to a role, in the order of the table; then role by role ("striker.overlap_seconds"); then the sums over all
-// roles, without a role's name ("overlap_seconds"). team: its roles, reasons and plugin metrics.
+// Returns the paths by which a study may name the metrics of a team, in this order: the metrics that do not belong to a
+// role, in the order of the table; role by role, the metrics of each role ("striker.overlap_seconds"); the sums over
+// all roles, without a role's name ("overlap_seconds"). Lists have no path. team: its roles, reasons and plugin
+// metrics.
 std::vector<std::string> metric_paths(std::span<const MetricRow> table, const MemberNames& team);
 
 double rounded_metric(double value);  // Returns the value rounded to six decimals.

@@ -234,7 +234,8 @@ class WholePairs {
   std::uint64_t pairs_ = 0;
 };
 
-// pairs: null if no time limit may stop the study; otherwise it must outlive the schedule.
+// Returns the schedule with which the engine plays the round. pairs: passes only complete pairs to the round; null if
+// no time limit may stop the study. All references must outlive the schedule.
 campaign::Schedule schedule_of(const study::Round& round, const Playing& playing, std::vector<std::int64_t> numbers,
                                campaign::Metrics metrics, WholePairs* pairs) {
   const auto recording = [&playing, &round](std::uint64_t index) {

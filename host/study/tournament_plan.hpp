@@ -113,8 +113,8 @@ TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs);
 // A copy of the plan without `ended_after`: a study that a time limit stopped continues until all pairs are played.
 TournamentPlan without_end(TournamentPlan plan);
 
-// Returns the document. Without pairs and test, it gets most_pairs pairs, so that only a time limit ends the
-// tournament.
+// Returns the document; if it has neither pairs nor a test, with most_pairs pairs, so that only a time limit (--until,
+// --minutes) ends the tournament.
 config::Node until_the_clock(const config::Node& document);
 
 // Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.

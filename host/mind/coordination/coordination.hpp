@@ -189,7 +189,8 @@ class EventDetector {
  public:
   explicit EventDetector(int own_number) : own_number_(own_number) {}
 
-  // `searching`: the robot's own role is to look for the ball. Replaces the content of `out`.
+  // Fills `out` with the events since the last call. Must be called once in each decision. `searching`: the robot's own
+  // role is to look for the ball.
   void detect(const Percepts& percepts, const WorldModel& world, const Decision& decision, bool searching,
               std::vector<regista_event>& out);
 

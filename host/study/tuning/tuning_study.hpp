@@ -88,9 +88,9 @@ class Verification {
   Verification(std::size_t candidates, double confidence, double deviation, std::optional<double> widest = {},
                std::optional<double> bound = {});
 
-  // Adds the scores of a pair. A match without a score gives NaN, and the candidate's pair is then left out.
-  // Head-to-head, the scores are differences already, and `base` is 0. unplayed: by candidate, whether its pair or the
-  // base team's pair could not be played; empty: all pairs were played.
+  // Adds the scores of a pair. A match without a score gives NaN, and the candidate's pair is then left out. If
+  // candidates play the base team (head to head), the scores are differences already, and `base` is 0. unplayed: by
+  // candidate, whether its pair or the base team's pair could not be played; empty: all pairs were played.
   void add(double base, std::span<const double> candidates, const std::vector<bool>& unplayed = {});
 
   std::uint64_t pairs() const { return pairs_; }
