@@ -36,7 +36,7 @@ struct Role {
   std::string list = "playing";  // name of the role list that contains the role
   int priority = 0;              // place in the role list; 0 = most important
   std::vector<int> robots = {};  // shirt numbers of the only robots that may take the role; empty: any robot
-  int least_in_play = 1;          // the role is open only while at least this many robots are active
+  int least_in_play = 1;         // the role is open only while at least this many robots are active
   bool plays_ball = false;       // the robot with this role goes to the ball and kicks it
 };
 

@@ -129,9 +129,9 @@ class PlayMeasures {
 
  private:
   struct Team {
-    PlayMetrics counts;                        // numbers of shots, passes, ...
+    PlayMetrics counts;                                        // numbers of shots, passes, ...
     int possession = 0, in_opponent_half = 0, goal_empty = 0;  // numbers of samples
-    double ball_x = 0.0;                       // sum over samples in play
+    double ball_x = 0.0;                                       // sum over samples in play
   };
   struct Ball {
     Vector position, velocity;
