@@ -36,8 +36,9 @@ struct Batch {
 // for each mind (benchmarks/README.md, "Clusters").
 inline constexpr std::uint64_t weight_of_twice = 6;
 
-// Divides `places` among at most `tasks` tasks of about equal length. A task gets at most `most` places; a place in
-// `twice` (ascending) counts as weight_of_twice places. The last places get no task if no task has room.
+// Divides `places` (indices of matches in a round) among at most `tasks` tasks of about equal length. A task gets at
+// most `most` places; a place that is in `twice` (ascending), because its match is played twice, counts as
+// weight_of_twice places. The last places get no task if no task has room.
 std::vector<Slices> shared_out(const Slices& places, const std::vector<std::uint64_t>& twice, std::uint64_t most,
                                std::uint64_t tasks);
 

@@ -116,9 +116,9 @@ int packets(const Messages& messages);
 // Returns the time in which a team may send during a whole match, s.
 double sending_time(const Durations& durations);
 
-// Returns the sending time over which a team must spread its remaining packets, s: with ShortGames::share the time
-// until the end of the game, with ShortGames::whole the time until a whole match would end. sending_time_left:
-// remaining sending time of a whole match, s.
+// Returns the sending time (defined above) over which a team must spread its remaining packets, s: with
+// ShortGames::share the time until the end of the game, with ShortGames::whole the time until a whole match would end.
+// sending_time_left: remaining sending time of a whole match, s.
 double packet_time_left(const Rules& rules, double sending_time_left);
 
 // Returns the value of the packet line: all packets of the game at its beginning; 0 where packet_time_left() is 0.

@@ -274,7 +274,7 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::M
     finish_pair(meeting, decided);
   }
   first_of_pair_.reset();
-  // Teams are set aside only at the end of a pair, so that every pair is complete.
+  // A team is set aside (plays no more matches) only at the end of a pair, so that every pair is complete.
   for (const std::size_t team : {fixture.home, fixture.away}) {
     const Row& row = rows_[team];
     const int most = plan_.asked.failures_in_a_row;

@@ -167,7 +167,8 @@ class MetricReports {
   // Adds a report. of_team: the plugin's metrics, as indices into TeamPlan::metrics(). metric: index into of_team.
   void report(const plugin::Found& plugin, std::span<const int> of_team, int place, std::uint32_t metric, double value);
 
-  // take() fills `out` with the reports since the last take(), by metric and place. violation(): the first violation.
+  // take() fills `out` with the reports since the last take(), sorted by metric and then by the place of the instance.
+  // violation(): the first violation.
   void take(std::vector<MetricReport>& out);
   const std::optional<Violation>& violation() const { return violation_; }
 
