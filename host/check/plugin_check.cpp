@@ -430,7 +430,7 @@ void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& o
   }
 }
 
-// Returns all names that `only` may contain.
+// Returns all names that Options::only may contain: the checks, and the parts of their names.
 std::vector<std::string> known_checks() {
   std::vector<std::string> out(file_checks.begin(), file_checks.end());
   out.emplace_back("descriptor");

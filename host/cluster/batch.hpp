@@ -59,8 +59,9 @@ struct Missing {
   bool complete() const { return places.empty(); }
 };
 
-// Passes the stored results to the study and stores the fixtures of the study's current round. Returns at most `most`
-// places, and of equal matches only the first place. Throws campaign::StoreError, study::StudyError.
+// Passes the stored results to the study and stores the fixtures (matches without their seeds) of the study's current
+// round. Returns at most `most` places, and of equal matches only the first place. Throws campaign::StoreError,
+// study::StudyError.
 Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t most);
 
 // --- Slurm through its commands sbatch, squeue and scancel. These commands know the settings of the cluster and the

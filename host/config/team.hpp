@@ -144,8 +144,8 @@ struct Context {
   PluginUse use;
   Knowledge knowledge = Knowledge::mine;  // knowledge for the condition of the context
   int role_list = 0;  // index into Team::role_lists, from `use: {roles: NAME}`; by default the first list
-  // Targets by index of the role in this role list. A missing element means the role's own target. Empty if the context
-  // changes no target (`use: {targets: {ROLE: ...}}`).
+  // Targets by index of the role in the role list `role_list`. A missing element means the role's own target. Empty if
+  // the context changes no target (`use: {targets: {ROLE: ...}}`).
   std::vector<std::optional<TargetRule>> targets;
   PluginUse positioner;
   TaskRules tasks;

@@ -98,7 +98,7 @@ Trial trial(const ExperimentPlan& plan, std::uint64_t index);
 // The job of a trial's match. `regista match` plays the same job.
 campaign::Job job(const ExperimentPlan& plan, const Trial& trial);
 
-// All fixtures of the plan with their keys, in the order of Trial::number.
+// All fixtures of the plan (matches without their seeds) with their keys, in the order of Trial::number.
 std::vector<campaign::Store::Fixture> fixtures(const ExperimentPlan& plan);
 
 // The name of a condition: "events", or "events at 0.2" in a sweep.

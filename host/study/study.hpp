@@ -33,7 +33,7 @@ struct Round {
   std::uint64_t first_row = 0;  // number of rows of the results file that earlier rounds use
   std::vector<campaign::Store::Fixture> fixtures;
   struct Place {
-    std::size_t fixture = 0;  // index into `fixtures`
+    std::size_t fixture = 0;  // index into `fixtures` (matches without their seeds)
     std::uint64_t seed = 0;
   };
   // The match with this index, from 0; nullopt if the study does not want the match any more.

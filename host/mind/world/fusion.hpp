@@ -54,8 +54,9 @@ struct SeenTeammate {
 };
 
 // Pairs tracks with active robots other than `own`, and appends the pairs to `out`. The pair with the least squared
-// Mahalanobis distance of the positions comes first; each track and robot is paired at most once. Pairs beyond the 99 %
-// gate, and tracks that fit two robots about equally well (squared distances that differ by less than 4), are left out.
+// Mahalanobis distance of the positions comes first; each track and robot is paired at most once. Left out are pairs
+// whose squared distance exceeds 9.21 (99 % of true pairs are nearer) and tracks that fit two robots about equally well
+// (squared distances that differ by less than 4).
 void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
                      std::vector<SeenTeammate>& out);
 
@@ -133,10 +134,10 @@ struct Estimate {
   int source;
 };
 
-// Fuses the most certain estimate of the ball with the estimates that do not contradict it (whose positions are within
-// the 99 % gate). The variance of an old estimate is increased, because a robot may have moved the ball since the
-// sighting. The result has the age of the youngest fused estimate. Estimates of weight 0 are ignored. Without estimates
-// the ball is unknown (flags 0).
+// Fuses the most certain estimate of the ball with the estimates that do not contradict it (whose squared Mahalanobis
+// distance from it is at most 9.21: 99 % of true pairs are nearer). The variance of an old estimate is increased,
+// because a robot may have moved the ball since the sighting. The result has the age of the youngest fused estimate.
+// Estimates of weight 0 are ignored. Without estimates the ball is unknown (flags 0).
 regista_ball fuse_ball(std::span<const Estimate> estimates);
 
 // Fuses the opponents of several sources. Two estimates of different sources belong to the same robot if they are
