@@ -26,8 +26,8 @@ namespace regista::campaign {
 using Moment = std::chrono::system_clock::time_point;
 
 // Returns the moment from which a study begins no more matches. until: "08:00" (the next 08:00 of the clock), or
-// "2026-11-28T08:00"; minutes: "90". Returns nothing if both texts are empty. Throws BadInput if both texts are given,
-// if the time is past, or if a text is not a time.
+// "2026-11-28T08:00"; minutes: "90", counted from `now`. Returns nothing if both texts are empty. Throws BadInput if
+// both texts are given, if the time is past, or if a text is not a time.
 std::optional<Moment> end_of_time(const std::string& until, const std::string& minutes, Moment now);
 
 // Returns the local time as "2026-11-28 08:00".
@@ -40,7 +40,7 @@ struct Options {
   std::string results;
   std::string notify;  // a command of the shell that runs when the study has ended
   bool resume = false, json = false, quiet = false, no_page = false;
-  bool live = false;  // true: the page is also rewritten during the study
+  bool live = false;  // true: the study's HTML page is also rewritten while the study runs
   // What the run plays; not set by the user. what_is_missing: all matches that the file of results lacks. nothing_yet:
   // no match, because the run only creates the file. nothing_more: no match, because the file holds all matches.
   enum class Plays { what_is_missing, nothing_yet, nothing_more } plays = Plays::what_is_missing;
@@ -91,7 +91,8 @@ enum class Finish { complete, enough, interrupted, out_of_time };
 // Plays the schedule. Throws CampaignError, StoreError and std::system_error; stored matches stay in the store.
 Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits);
 
-// Plays one match alone in workers, and decides forfeits. twice: see Schedule. Throws CampaignError, std::system_error.
+// Plays one match until it is decided, as run() plays each match of a schedule, but does not store it. twice: see
+// Schedule. Throws CampaignError, std::system_error.
 MatchResult play_alone(const Job& job, const Limits& limits, bool twice = false);
 
 }  // namespace regista::campaign

@@ -254,7 +254,8 @@ struct Connection {
   pid_t coordinator;
 };
 
-// To be called in the copy, which ends by _exit without destructors.
+// Plays the match in the copy, which is the worker. The copy ends by _exit, without destructors, because these belong
+// to the server.
 [[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files,
                                const Connection& connection, const std::string& program) {
   ::close(connection.socket.number);

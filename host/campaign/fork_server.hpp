@@ -60,9 +60,9 @@ class ForkServer {
   std::uint64_t number_ = 0;
 };
 
-// The main function of the server: reads teams, and copies itself for each match. Returns when the connection ends, or
-// when a new server must replace this server. program: "regista 0.1.0", for recordings. Throws config::BadInput if no
-// coordinator has started this process.
+// The main function of the server: reads teams, and copies itself for each match. Returns when the connection to the
+// coordinator ends, or when a new server must replace this one. program: "regista 0.1.0", for recordings. Throws
+// config::BadInput if no coordinator has started this process.
 void serve_matches(const std::string& program);
 
 }  // namespace regista::campaign

@@ -11,7 +11,8 @@
 
 namespace regista::campaign {
 
-// Thrown if the work was done, but a plugin changed the whole process. what() describes the change.
+// Thrown if the work was done, but a plugin changed the process, for example left a thread running. what() describes
+// the change.
 class LeftoverState : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

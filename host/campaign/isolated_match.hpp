@@ -37,8 +37,8 @@ using AfterAnswers = std::function<void(const match::Decision&, std::span<const 
 
 // Plays `setup` as match::play(setup, plans) does. The function copies the calling process, which must have no threads
 // and must have loaded no plugin. `note` receives the process groups, and the first try of a confined mind to reach
-// outside of its process. `kept` receives the variables of plugin files that confined minds have changed, one line;
-// usually empty. Throws Fault, and the exceptions of match::play.
+// outside of its process. `kept` receives the names of variables of plugin files that confined minds
+// (process/confinement.hpp) have changed, one line; usually empty. Throws Fault, and the exceptions of match::play.
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
                             Separation separation, const Limits& limits, const Examination& examination,
                             const AfterAnswers& after, WorkerNote& note, std::string& kept);

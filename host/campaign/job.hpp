@@ -30,7 +30,8 @@ struct Limits {
   // The first match of a pairing is played a second time, with one process for each mind. The second play shows results
   // that are not reproducible, and robots that do not decide alone, that is, from their own knowledge only.
   bool play_twice = true;
-  // true: the robots of a team may share memory, so the minds of a team share one process in both plays.
+  // true: the robots of a team may share memory, so the minds of a team share one process in both plays of a match that
+  // is played twice.
   bool allow_shared_memory = false;
 
   // Returns the limit of processor time for the whole match, s (RLIMIT_CPU).
@@ -38,7 +39,7 @@ struct Limits {
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
-// The key of a stored match: the number that the store gave to its fixture, and its seed.
+// The key of a stored match: the number that the store gave to its fixture (the match without its seed), and its seed.
 struct MatchKey {
   std::int64_t fixture = 0;
   std::uint64_t seed = 0;
@@ -80,7 +81,7 @@ struct Job {
   // The folder with copies of the files: the copy of /a/b is root/a/b. Empty: there are no copies. Relative names must
   // be read in the copy of the folder in which they were given. Keys and comparisons of inputs leave `root` out.
   std::string root;
-  // Files of the plugins for these teams, found in the plugin folders; empty: the worker searches the folders.
+  // Files of the plugins of the job's teams, found in the plugin folders; empty: the worker searches the folders.
   std::vector<std::string> plugin_files;
   // The inputs of the match (match_inputs.hpp). A worker does not play if the files hold other inputs.
   std::vector<Input> home_inputs, away_inputs, common_inputs;

@@ -41,7 +41,8 @@ std::string names_text(const match::MetricNames& names);
 std::shared_ptr<const match::MetricNames> names_of(const std::string& text);
 
 std::string number_bytes(std::span<const double> values);
-// Throws std::invalid_argument unless `bytes` holds exactly `count` numbers.
+// Unpacks the numbers that number_bytes() packed. Throws std::invalid_argument unless `bytes` holds exactly `count`
+// numbers.
 std::vector<double> numbers_of(std::string_view bytes, std::size_t count);
 
 // --- The match

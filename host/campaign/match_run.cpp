@@ -81,7 +81,8 @@ void MatchRun::start(Stage stage) {
   job.perturbed =
       stage == Stage::second || stage == Stage::traced || stage == Stage::traced_alone || stage == Stage::traced_hiding;
   job.trail = is_traced(stage);
-  // accounts: this isolated play must explain a failed second play. Other isolated plays search the cause of a death.
+  // accounts: true if this isolated play must find out why the second play failed. Every other isolated play must find
+  // out which team's process makes the worker die.
   const bool accounts = stage == Stage::isolated && first_;
   job.hides = stage == Stage::second || stage == Stage::traced_hiding || accounts;
   if (stage == Stage::second) job.look = plugin::Inspection::often;

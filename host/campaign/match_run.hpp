@@ -36,7 +36,7 @@ class MatchRun {
   // --- Precondition: advance() has returned true.
   const MatchResult& decided() const { return *decided_; }
   int plays() const { return plays_; }  // number of plays, without plays that only record the match
-  // Describes the death of a worker, if another worker then played the match to its end; otherwise empty.
+  // Says how a worker died, if another worker then played the match to its end; otherwise empty.
   const std::string& accident() const { return accident_; }
   const std::string& not_recorded() const { return not_recorded_; }  // why the recording is missing; usually empty
 
@@ -46,7 +46,7 @@ class MatchRun {
   enum class Stage {
     first,          // plays the match for the first time
     second,         // tests the first play: perturbed, one process for each robot
-    isolated,       // after a death: one process for each team, which shows the team that causes the death
+    isolated,       // after the worker died: one process for each team, to find the team whose process dies
     alone,          // after a failed second play: not perturbed, one process for each robot
     traced,         // after plays with different results: perturbed, with the processes of the first play
     traced_alone,   // if `traced` had the result of `first`: perturbed, one process for each robot

@@ -73,7 +73,8 @@ class Store {
   void keep(std::span<const Document> documents);
   std::vector<Document> documents() const;
 
-  // Returns the match with this key, even if it waits in memory. Reads `row` first, where the match usually is.
+  // Returns the match with this key, even if it still waits in memory; nothing if it is not stored. Reads `row` first,
+  // where the match usually is.
   std::optional<MatchResult> find(std::int64_t row, const MatchKey& key, Metrics metrics) const;
   // Adds a match that took `attempts` plays. Throws StoreError if the key is already stored or the row is taken. While
   // another program holds the lock, the match waits in memory until write_waiting() or settle() writes the match.
@@ -95,7 +96,8 @@ class Store {
   // Returns a warning about this file for readers of its results, one line; empty for most files.
   std::string remark() const;
 
-  // Throws StoreDamaged for the first match in the rows from `from` to `to` for which `planned` returns false.
+  // Throws StoreDamaged for the first match in the rows from `from` to `to` for which `planned` returns false, which
+  // means that the study's plan does not have this match in this row.
   using Planned = std::function<bool(std::int64_t row, const MatchKey& key)>;
   void require_planned(std::int64_t from, std::int64_t to, const Planned& planned) const;
 

@@ -36,13 +36,14 @@ class StoredMatches {
   // SQL that creates the tables.
   static std::string tables();
 
-  // `database` must have these tables and outlive this object. Functions throw SQLite::Exception and DamagedRow.
+  // `database` must have the tables of tables() and outlive this object. Functions throw SQLite::Exception and
+  // DamagedRow.
   StoredMatches(SQLite::Database& database, bool written_to);
   ~StoredMatches();
   StoredMatches(const StoredMatches&) = delete;
   StoredMatches& operator=(const StoredMatches&) = delete;
 
-  // Returns the stored match with this key. find() reads `row` first, where the match usually is.
+  // Returns the stored match with this key; nothing if there is none. Reads `row` first, where the match usually is.
   std::optional<MatchResult> find(std::int64_t row, const MatchKey& key, Metrics metrics);
   struct Row {
     MatchKey key;

@@ -53,7 +53,8 @@ class StoredMetrics {
       checksum INTEGER NOT NULL
     );)";
 
-  // `database` must have these tables and outlive this object. All functions throw SQLite::Exception.
+  // `database` must have the tables metric_names and metrics, and must outlive this object. All functions throw
+  // SQLite::Exception.
   StoredMetrics(SQLite::Database& database, bool written_to);
   ~StoredMetrics();
   StoredMetrics(const StoredMetrics&) = delete;

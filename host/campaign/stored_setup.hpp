@@ -70,7 +70,8 @@ class StoredFixtures {
       checksum INTEGER NOT NULL
     );)";
 
-  // `database` must have this table and outlive this object. All functions throw SQLite::Exception.
+  // `database` must have the table `fixtures` (see `tables`) and must outlive this object. All functions throw
+  // SQLite::Exception.
   explicit StoredFixtures(SQLite::Database& database) : database_(database) {}
 
   // Adds the fixtures whose keys are new.
@@ -126,10 +127,11 @@ class DocumentCopies {
 
 class StoredSetup {
  public:
-  // Prepares the stored match from its files; relative names start at the current folder. If the files have changed,
-  // the constructor calls `documents`, writes copies of the documents, changes to the copy of the current folder, and
-  // prepares the match there. So the folders of `catalogue` must be absolute. Throws the exceptions of `documents` and
-  // of DocumentCopies.
+  // Prepares the stored match from the files that its job names; relative names start at the current folder. If these
+  // files have changed, the constructor gets the stored documents from `documents`, writes copies of them
+  // (DocumentCopies), makes the copy of the current folder the process's current folder, and prepares the match from
+  // the copies. The current folder is then another one, so the folders of `catalogue` must be absolute. Throws what
+  // `documents` and DocumentCopies throw.
   StoredSetup(const Job& stored, const plugin::Catalogue& catalogue,
               const std::function<std::vector<Document>()>& documents);
 

@@ -25,7 +25,8 @@
 
 namespace regista::campaign {
 
-// The first try of a confined mind to reach outside of its process, and the call of a plugin in which this happened.
+// The first try of a confined mind (process/confinement.hpp) to reach outside of its process, and the call of a plugin
+// in which this happened.
 struct OutsideNote {
   std::array<char, 48> what{};  // "open a file for writing"; empty: no mind has tried
   plugin::CallNote call;
@@ -120,8 +121,8 @@ class Worker {
   pid_t process() const { return child_.process(); }             // -1 after the worker has ended
   int output_descriptor() const { return output_pipe_.number; }  // the pipe for standard error; -1: closed
 
-  // Reads both pipes and checks the limits. Returns true when the worker has ended. Must be called when a descriptor is
-  // readable, and also at regular times.
+  // Reads the pipes for the answer and for standard error, and checks the limits. Returns true when the worker has
+  // ended. Must be called when a descriptor is readable, and also at regular times.
   bool advance();
 
   // Precondition: advance() has returned true.

@@ -179,7 +179,7 @@ Outcome of_a_child(const InTheChild& work, const Deadline& deadline, Underway& n
       if (!end.was_stopped()) break;
       if (ended.empty()) ended = end.in_words();
     }
-    // A child that begins another step of its scenario is not idle, even if it sleeps often.
+    // A child whose note names another step of its check than before is not idle, even if it sleeps often.
     if (const std::string place = note.read(); place != last_place) {
       last_place = place;
       idle = process::IdleProcess(child.process());

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Plays the scenario of a plugin again in other surroundings, which must not change the answers. The program is started
-// again, so code and data have other addresses. Its environment is almost empty, and its working folder is another one.
-// Another plugin plays first.
+// Plays the scenario of a plugin (the calls by which the testkit checks its kind) again in other surroundings, which
+// must not change the answers. The program is started again, so code and data have other addresses. Its environment is
+// almost empty, and its working folder is another one. Another plugin plays first, so that an answer that depends on
+// other plugins in the process changes.
 #pragma once
 
 #include <cstdint>

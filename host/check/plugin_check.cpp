@@ -299,7 +299,8 @@ class FileCheck {
     return out;
   }
 
-  // Fails if a scenario changes variables of the plugin's file. A first play does not count: it may set variables.
+  // Plays the scenario of the kind (the calls by which the testkit checks it) twice. Fails if the second play changes
+  // variables of the plugin's file; the first play may set variables.
   Outcome changes_own_memory(std::int32_t kind) const {
     const auto counts_its_lines = [](const std::string& name) { return name.starts_with("__gcov"); };
     if (std::ranges::any_of(object_.imports, counts_its_lines)) return {};
@@ -429,7 +430,7 @@ void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& o
   }
 }
 
-// Returns all names that `only` may contain.
+// Returns all names that Options::only may contain: the checks, and the parts of their names.
 std::vector<std::string> known_checks() {
   std::vector<std::string> out(file_checks.begin(), file_checks.end());
   out.emplace_back("descriptor");

@@ -89,7 +89,8 @@ void add_document_options(Command& command, StudyOptions& options, const config:
 // Adds --until, the time of day that stops the study, and --minutes, the duration after which the study stops.
 void add_clock_options(Command& command, campaign::Options& options);
 
-// Adds options for workers, clock, results, recording, page and report. default_results: the default file, for help.
+// Adds options for workers, time limit, results, recording, page and report. default_results: the default file, for
+// help.
 void add_campaign_options(Command& command, campaign::Options& options, const std::string& default_results);
 
 }  // namespace regista::cli

@@ -79,7 +79,8 @@ std::optional<results::StoredMatch> stored_match_of(const results::MatchOptions&
   return results::read_stored_match(options.from, options.row, invocation.studies);
 }
 
-// Refuses outputs that would overwrite inputs. outputs: relative to the working folder before stored_match_of().
+// Refuses outputs that would overwrite inputs. outputs: made before stored_match_of() changes the working folder,
+// because output paths are relative to the earlier folder.
 void check_what_is_written(output::OutputFiles outputs, const results::MatchOptions& options,
                            const campaign::MatchRequest& played, const plugin::Catalogue& catalogue) {
   std::vector<std::string> documents = played.teams;

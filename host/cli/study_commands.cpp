@@ -285,7 +285,7 @@ int play_tuning(const std::string& plan, const TuneOptions& options, output::Out
       options.output.empty() ? study::tuned_file(options.results) : std::filesystem::path(options.output);
   outputs.write("the tuned team", tuned, Writes::tuned_team);
   outputs.check(options.force);
-  study::OutOfTime clock;  // set after the file of results is open
+  study::OutOfTime clock;  // tells when the search's time is over; set after the file of results is open
   const auto out_of_time = [&clock](std::uint64_t evaluations) { return clock && clock(evaluations); };
   auto report = std::make_unique<report::TuningReport>(study::tuning_plan_from_json(plan), out_of_time);
   campaign::Store store = results::open_results(options.results, options.resume, report->study(),
@@ -295,7 +295,8 @@ int play_tuning(const std::string& plan, const TuneOptions& options, output::Out
         std::make_unique<report::TuningReport>(study::tuning_plan_from_json(results::stored_plan(store)), out_of_time);
   }
   try {
-    // If this run plays no match itself, the search ends at the stored point, not by this run's clock.
+    // If this run plays no match itself, the search ends where the stored search ended, not when the time of this run
+    // is over.
     const bool plays = options.plays != campaign::Options::Plays::nothing_more;
     clock =
         plays ? study::search_clock(store, report->plan(), options.end_of_time) : study::stored_end_of_search(store);
@@ -303,7 +304,7 @@ int play_tuning(const std::string& plan, const TuneOptions& options, output::Out
     throw BadInput(error.what());
   }
   campaign::Options own = options;
-  own.end_of_time.reset();  // the search uses its own clock
+  own.end_of_time.reset();  // the time limits only the search, through `clock`
   std::optional<output::OutputFile> trace;
   if (!options.trace.empty()) trace.emplace(options.trace);
   std::exception_ptr not_written;

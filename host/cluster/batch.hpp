@@ -13,7 +13,8 @@
 
 namespace regista::cluster {
 
-// A range of indices in a round, counted from 0: from `begin` up to `end`, without `end`.
+// A range of indices, counted from 0, of matches in a round (study::Round: matches that can be played in any order):
+// from `begin` up to `end`, without `end`.
 struct Slice {
   std::uint64_t begin = 0, end = 0;
   friend bool operator==(const Slice&, const Slice&) = default;
@@ -35,8 +36,9 @@ struct Batch {
 // for each mind (benchmarks/README.md, "Clusters").
 inline constexpr std::uint64_t weight_of_twice = 6;
 
-// Divides `places` among at most `tasks` tasks of about equal length. A task gets at most `most` places; a place in
-// `twice` (ascending) counts as weight_of_twice places. The last places get no task if no task has room.
+// Divides `places` (indices of matches in a round) among at most `tasks` tasks of about equal length. A task gets at
+// most `most` places; a place that is in `twice` (ascending), because its match is played twice, counts as
+// weight_of_twice places. The last places get no task if no task has room.
 std::vector<Slices> shared_out(const Slices& places, const std::vector<std::uint64_t>& twice, std::uint64_t most,
                                std::uint64_t tasks);
 
@@ -57,8 +59,9 @@ struct Missing {
   bool complete() const { return places.empty(); }
 };
 
-// Passes the stored results to the study and stores the fixtures of the study's current round. Returns at most `most`
-// places, and of equal matches only the first place. Throws campaign::StoreError, study::StudyError.
+// Passes the stored results to the study and stores the fixtures (matches without their seeds) of the study's current
+// round. Returns at most `most` places, and of equal matches only the first place. Throws campaign::StoreError,
+// study::StudyError.
 Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t most);
 
 // --- Slurm through its commands sbatch, squeue and scancel. These commands know the settings of the cluster and the

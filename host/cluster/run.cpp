@@ -186,7 +186,7 @@ class Follower {
     try {
       wanted = wanted || jobs_alive(progress).empty();
     } catch (const SlurmError&) {
-      // The error is ignored: Slurm does not answer at present, but the files still show the state.
+      // Slurm does not answer at present. This is ignored, because the study's files still show its state.
     }
     if (wanted) take_step(folder_, false, invocation_);
     // The slower a step is, the longer the pause before the next step.
@@ -200,7 +200,7 @@ class Follower {
       while (!interruption.requested() && Clock::now() < until && !jobs_alive(folder_.progress()).empty())
         std::this_thread::sleep_for(300ms);
     } catch (const SlurmError&) {
-      // The error is ignored: if a job still uses the file of results, opening this file will fail.
+      // Slurm did not answer. This is ignored: if a job still uses the file of results, opening this file will fail.
     }
   }
 

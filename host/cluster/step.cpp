@@ -53,7 +53,8 @@ void copy_over(const fs::path& from, const fs::path& to) {
   throw output::WriteError(fmt::format("cannot copy {} to {}: {}", from.string(), to.string(), error.message()));
 }
 
-// Returns options of sbatch with the excluded nodes. The gather job gets only account, QOS, reservation, partition.
+// Returns options of sbatch with the excluded nodes. of_tasks: false for the gather job, which takes a step after the
+// job array; of the user's options it gets only account, QOS, reservation and partition.
 std::vector<std::string> sbatch_options(const Settings& settings, const Progress& progress, bool of_tasks) {
   std::vector<std::string> out;
   if (!settings.partition.empty()) out.push_back("--partition=" + settings.partition);
@@ -312,7 +313,7 @@ void look_whether_it_is_over(const StudyFolder& folder, const results::Invocatio
       // A task that ended meanwhile found the file of results in use, so this process gathers the task's matches.
     } while (++looks < most_looks && something_is_left());
   } catch (const campaign::StoreInUse&) {
-    // The error is ignored, because another process takes a step at present.
+    // The file of results is locked, so another process takes a step at present, and this task takes none.
   } catch (const std::exception& error) {
     // The study continues: the next step tries again.
     command::complain(fmt::format("whether the study is over was not seen: {}", error.what()));

@@ -366,7 +366,7 @@ std::vector<TaskProgress> task_progress(const StudyFolder& folder) {
     try {
       out.push_back(progress_from_json(told_in(each.path)));
     } catch (const std::invalid_argument&) {
-      // The error is ignored, because the task soon rewrites its file.
+      // The file is unreadable at present. This is ignored, because the task soon replaces the file.
     }
   }
   return out;

@@ -146,9 +146,10 @@ struct Gathered {
 // The tasks whose parts are gathered. killed_too: also unfinished parts of killed tasks that do not run again.
 enum class Tasks { ended, killed_too };
 
-// Adds the matches of the parts to `results`, and removes each part that was added completely. An invalid or damaged
-// part is moved to set_aside/, and its matches count as not played. Throws campaign::StoreError for an error of
-// `results` or of the disk, campaign::StoreRefusal for a part that cannot be opened now.
+// Adds the matches of the parts to `results`, and removes each part that was added completely. A part that is damaged
+// or of which a match is refused (see campaign::Taken) is moved to set_aside/, and its matches count as not played.
+// Throws campaign::StoreError for an error of `results` or of the disk, campaign::StoreRefusal for a part that cannot
+// be opened now.
 Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version);
 
 struct TaskProgress {

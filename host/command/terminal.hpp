@@ -43,7 +43,7 @@ class RewrittenLine {
 // --- Ctrl-C (SIGINT) and SIGTERM during long work. The first signal asks the work to stop. Work that does not stop
 // within a second (a plugin may hang) is ended. A second signal ends the program immediately.
 
-// Handles both signals while the object exists. Only one object may exist at a time.
+// Handles SIGINT and SIGTERM while the object exists. Only one object may exist at a time.
 class Interruption {
  public:
   // `last_words`: the line for standard error if the work did not stop by itself.

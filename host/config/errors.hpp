@@ -83,7 +83,8 @@ class Mistakes {
   void doubt_place(const Location& place) { doubted_places_.push_back(place); }
   bool doubtful_place(const Location& place) const;
 
-  // Adds the mistakes and unknown plugins of `others`. Marks no value of this document as wrong or unknown.
+  // Adds the mistakes and unknown plugins of `others`. Unlike add(), marks no value as wrong, because the same path may
+  // be right in this document.
   void take_over(const Mistakes& others);
 
   bool none() const { return total_ == 0; }

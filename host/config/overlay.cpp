@@ -377,7 +377,7 @@ class Search {
       try {
         values(parse(path), path.parent_path());
       } catch (const Error&) {
-        // The file is not a document, but a plugin or data of a plugin.
+        // A file that is not a document, such as a plugin or data of a plugin, names no other files.
       }
     }
     return std::move(out_);

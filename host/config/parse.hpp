@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Parses YAML text into a tree of nodes. Accepts a strict subset of YAML 1.2: one document with a map at its top,
-// unique keys of plain text, no tags, no merge keys, and aliases only while the expanded document stays small. Uses the
-// events of yaml-cpp, because the tree of yaml-cpp accepts duplicate keys and expands aliases without limit.
+// unique keys of plain text, no tags, no merge keys, and aliases only while the expanded document stays within
+// most_nodes and `deepest`. Uses the events of yaml-cpp, because the tree of yaml-cpp accepts duplicate keys and
+// expands aliases without limit.
 #pragma once
 
 #include <cstddef>

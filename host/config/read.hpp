@@ -44,7 +44,8 @@ void attempt_each(const Node& list, std::string_view what, Mistakes& mistakes, S
 [[noreturn]] void refuse(const Node& document, std::initializer_list<std::string_view> paths,
                          const std::string& reason);
 
-// Reports contradicting values at the place that refuse() chooses, but not if a value at a path is wrong or unknown.
+// Reports contradicting values at the place that refuse() chooses, but not if the value at one of the paths is wrong or
+// unknown: the contradiction may then follow from that mistake.
 class Refusals {
  public:
   Refusals(const Node& document, Mistakes& mistakes) : document_(document), mistakes_(mistakes) {}

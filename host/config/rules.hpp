@@ -51,9 +51,10 @@ struct Messages {
   int budget = 1200;  // packets per team and match
   int size = 128;     // largest packet, bytes
   ShortGames short_games = ShortGames::whole;
-  // The part of a match that this game covers. fit_packets() computes these values from length and beginning of a game.
+  // The part of a match that the game to be played covers. fit_packets() sets these values from its length and
+  // beginning; until then they are those of a whole match.
   double share = 1.0;                 // share of the budget
-  double earlier = 0.0, later = 0.0;  // sending time of a match before and after this game, s
+  double earlier = 0.0, later = 0.0;  // sending time of a match before and after the game, s
 };
 
 // The penalties of offences, s. The time of a penalty passes only in the states Ready and Playing.
@@ -93,10 +94,13 @@ struct Rules {
   int mercy_difference = 10;        // goal difference that ends the match
 };
 
-// --- The packets of a game, and the packet line. The packet line is the number of packets that would remain if a team
-// spent them evenly over its sending time. A team may send during play, and during Ready and Set before each half,
-// while the clock is stopped. A game from an opening has no Ready and Set before its first half. If the rules give a
-// short game a share of the packets (messages.short_games), the following functions refer to this game, not to a match.
+// --- The packets of a game, and the packet line. A game is a match or, with an opening or a time limit, a part of a
+// match. A team may send in play. It may also send in Ready and Set before each half, although the clock stands still
+// then; a game from an opening has no Ready and Set before its first half. These times together are the sending time.
+// The packet line is the number of packets that a team would have left if it spent them evenly over the sending time.
+// messages.short_games decides about a game that is shorter than a match. share: it has its share of the packets, and
+// its packet line reaches 0 at its end. whole: it has all packets of a match, and its packet line reaches 0 only where
+// a whole match would end.
 
 // Returns the share of the packet budget for a game of at most `seconds`, in (0, 1]. The share is 1 if the rules give
 // every game the whole budget, or if `seconds` is missing.
@@ -106,16 +110,18 @@ double packet_share(const Rules& rules, std::optional<double> seconds);
 // begins in play, or with Ready before a kick-off.
 void fit_packets(Rules& rules, std::optional<double> seconds, bool begins_in_play);
 
-// Returns the number of packets that a team may send in this game, rounded down.
+// Returns the number of packets that a team may send in the game for which fit_packets() was called, rounded down.
 int packets(const Messages& messages);
 
 // Returns the time in which a team may send during a whole match, s.
 double sending_time(const Durations& durations);
 
-// Returns the sending time that remains in this game, s. sending_time_left: remaining sending time of a whole match, s.
+// Returns the sending time (defined above) over which a team must spread its remaining packets, s: with
+// ShortGames::share the time until the end of the game, with ShortGames::whole the time until a whole match would end.
+// sending_time_left: remaining sending time of a whole match, s.
 double packet_time_left(const Rules& rules, double sending_time_left);
 
-// Returns the value of the packet line: all packets at the beginning of the game, 0 at its end.
+// Returns the value of the packet line: all packets of the game at its beginning; 0 where packet_time_left() is 0.
 double packet_line(const Rules& rules, double sending_time_left);
 
 }  // namespace regista::config

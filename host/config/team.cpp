@@ -223,7 +223,8 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
   return context;
 }
 
-// Whether the title is of the team that this document extends. A page that gives another name is another team.
+// Returns whether the title stands in the extended document, but the name does not. The document is then another team,
+// which must not have this title.
 bool is_of_base(const Node& document) {
   const Location &title = document["title"].where(), &name = document["team"].where();
   return title.file != name.file && !title.laid;
@@ -270,7 +271,8 @@ Team read_document<Team>(const Node& document, Mistakes& mistakes) {
   Team team;
   const Mistakes of_page = mistakes;
   for (std::size_t i = 0; i < page.contexts.size(); ++i) {
-    // A mistake that one context causes in a value of the team must not affect the other contexts.
+    // Each context lays its `use:` over the team's values. If the value of one context is wrong, the team's value at
+    // this path must not count as wrong for the other contexts. So each context has its own copy of the mistakes.
     Mistakes of_context = of_page;
     team.contexts.push_back(resolved(page.contexts[i], document, page, fmt::format("contexts.{}.use", i), of_context));
     mistakes.take_over(of_context);

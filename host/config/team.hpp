@@ -129,7 +129,7 @@ struct UtilityTerm {
 
 struct TaskRules {
   enum class Keep { all, nearest_to_waypoints } keep = Keep::nearest_to_waypoints;
-  double hysteresis = 0.0;      // m; a task that a robot reports to play counts as so much nearer to a waypoint
+  double hysteresis = 0.0;      // m; a task that a robot plays counts as nearer to its waypoint by this distance
   double offset_at_most = 0.5;  // largest offset of a role's place, m; 0: no offset
   Knowledge knowledge = Knowledge::mine;  // knowledge for the placement of tasks
   // Knowledge for the positioner and for the choice of tasks. Default: `knowledge`.
@@ -144,8 +144,8 @@ struct Context {
   PluginUse use;
   Knowledge knowledge = Knowledge::mine;  // knowledge for the condition of the context
   int role_list = 0;  // index into Team::role_lists, from `use: {roles: NAME}`; by default the first list
-  // Targets by index of the role in this role list. A missing element means the role's own target. Empty if the context
-  // changes no target (`use: {targets: {ROLE: ...}}`).
+  // Targets by index of the role in the role list `role_list`. A missing element means the role's own target. Empty if
+  // the context changes no target (`use: {targets: {ROLE: ...}}`).
   std::vector<std::optional<TargetRule>> targets;
   PluginUse positioner;
   TaskRules tasks;

@@ -159,7 +159,8 @@ void check(const Team& team, const Rules& rules, const Node& document, Mistakes&
   for (const RoleList& list : team.role_lists) {
     for (std::size_t i = 0; i < list.roles.size(); ++i) {
       const Role& role = list.roles[i];
-      // The others may be missing, so that a team of one can play the page of a team of seven.
+      // Only the role's first robot must exist. The others may be missing, so that a team of one robot can play the
+      // document of a team of seven.
       if (role.robots.empty() || role.robots.front() <= rules.team_size) continue;
       const std::string path = fmt::format("roles.{}.{}.robot", list.name, i);
       wrong({path}, "{}: the role {} is for robot {}, a team has {} by the rules {}", path, role.name,

@@ -34,7 +34,7 @@ struct ContextPage {
   Location where;
 };
 
-// The target of a role in a context, `use: {targets: {ROLE: ...}}`.
+// The target of a role (the rule for its place on the field) while a context holds: `use: {targets: {ROLE: ...}}`.
 struct RoleTarget {
   std::string name;  // name of the role
   TargetRule target;

@@ -62,7 +62,8 @@ struct Tuning {
     Location where;
   };
   struct Slices {
-    // Points for each parameter, and pairs of matches against each opponent for each point.
+    // A slice varies one parameter of the tuned team. Numbers of points for each parameter, and of pairs of matches
+    // against each opponent for each point.
     int points = 5, pairs = 4;
     Location where;
   };

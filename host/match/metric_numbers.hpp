@@ -104,10 +104,11 @@ class MetricNumbers {
   std::vector<double> values_;
 };
 
-// Returns the path without a leading "roles.". The prefix has no meaning.
+// Returns the path without a leading "roles.": "roles.striker.switches" and "striker.switches" name the same number.
 std::string_view without_roles(std::string_view path);
 
-// Names of numbers of packets that a team sent. Only a match with an early time limit has more than "packets".
+// Names of numbers of packets that a team sent. Only a match that is shorter than a whole match (an opening, a time
+// limit) but has the packets of a whole match has more than "packets".
 inline constexpr std::array<const char*, 3> packet_metrics{"packets", "packets_share", "packets_over_share"};
 
 inline MetricPaths packet_paths() {

@@ -19,7 +19,7 @@
 
 namespace regista::match {
 
-// The match, side and member whose number a row reads.
+// The match, side and member (a role, event or plugin metric of a team) whose number a row reads.
 struct MetricSource {
   const Result& result;
   std::optional<double> packets_share{};  // packets: a short match's share of the budget; nothing: a whole match
@@ -90,7 +90,10 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 // "roles.striker.overlap_seconds" and "overlap_seconds" belong to the same row.
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
 
-// Returns the names that a study may use for a team: the paths in the order of the table, then the sums over roles.
+// Returns the paths by which a study may name the metrics of a team, in this order: the metrics that do not belong to a
+// role, in the order of the table; role by role, the metrics of each role ("striker.overlap_seconds"); the sums over
+// all roles, without a role's name ("overlap_seconds"). Lists have no path. team: its roles, reasons and plugin
+// metrics.
 std::vector<std::string> metric_paths(std::span<const MetricRow> table, const MemberNames& team);
 
 double rounded_metric(double value);  // Returns the value rounded to six decimals.

@@ -92,8 +92,8 @@ struct MatchMetrics {
   std::array<TeamMetrics, 2> teams;  // by side
   double playing_seconds = 0.0;      // time in the phase Playing
   double in_play_seconds = 0.0;      // playing_seconds without set plays
-  BallRests ball_rests;              // times in play when the ball rests although a robot could soon reach it
-  double ball_crowd_seconds = 0.0;   // time in play with at least five robots near the ball
+  BallRests ball_rests;              // times in play when the ball rests although a robot could reach it within 3 s
+  double ball_crowd_seconds = 0.0;   // time in play with at least five robots within 1 m of the ball
   int duels = 0;
 };
 

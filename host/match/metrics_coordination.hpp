@@ -25,8 +25,9 @@ namespace regista::match {
 // A team is silent from its last packet of the match to the end, if this time is longer than silence_after. A team that
 // never sends is silent from the beginning. No time before a packet counts as silent.
 
-// Match time, s. The value is the usual forget_teammate_after of a team. The sender plugins of the shipped teams wait
-// less than silence_after between two packets, as long as the rules allow packets.
+// A longer time without a packet of the team counts as silence, s of match time. The value is the usual
+// forget_teammate_after of a team. The sender plugins of the shipped teams wait less than silence_after between two
+// packets, as long as the rules allow packets.
 constexpr double silence_after = 25.0;
 
 // A row of a team's table of roles.
@@ -35,7 +36,7 @@ struct Role {
   std::string list = "playing";  // name of the role list that contains the role
   int priority = 0;              // place in the role list; 0 = most important
   std::vector<int> robots = {};  // shirt numbers of the only robots that may take the role; empty: any robot
-  int least_in_play = 1;          // the role is open only while at least this many robots are active
+  int least_in_play = 1;         // the role is open only while at least this many robots are active
   bool plays_ball = false;       // the robot with this role goes to the ball and kicks it
 };
 

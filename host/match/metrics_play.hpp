@@ -27,12 +27,13 @@ class Clearances {
  public:
   explicit Clearances(const config::FieldSize& field) : length_(field.length) {}
 
-  // Robot `id` has kicked the ball. This kick replaces the pending kick. direction: attack direction, +1 or -1.
+  // Robot `id` has kicked the ball. This kick is now the pending kick, which may become a clearance. direction: attack
+  // direction, +1 or -1.
   void kicked(int id, Vector ball, double direction, double time);
   void touched(int id) {
     if (kick_ && kick_->id != id) kick_.reset();
   }
-  void drop() { kick_.reset(); }  // forgets the pending kick, which was a pass or a shot, or the ball is dead
+  void drop() { kick_.reset(); }  // forgets the pending kick, as it was a pass or a shot, or as the ball is dead
 
   struct Kick {
     int id;
@@ -128,9 +129,9 @@ class PlayMeasures {
 
  private:
   struct Team {
-    PlayMetrics counts;                        // numbers of shots, passes, ...
+    PlayMetrics counts;                                        // numbers of shots, passes, ...
     int possession = 0, in_opponent_half = 0, goal_empty = 0;  // numbers of samples
-    double ball_x = 0.0;                       // sum over samples in play
+    double ball_x = 0.0;                                       // sum over samples in play
   };
   struct Ball {
     Vector position, velocity;

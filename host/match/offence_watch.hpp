@@ -4,9 +4,9 @@
 // 2023, section 4. config::Offences has the limits.
 //
 // The rule book leaves some judgements to a person. These are the definitions of OffenceWatch:
-// - Pushing: a robot walks against an opponent for some time, or until the opponent falls, and the opponent does not
-//   walk against the robot. A robot whose walk is more than 60 degrees off the opponent's direction does not push. A
-//   robot that kicks or lies does not push. A goalkeeper in its own penalty area does not push.
+// - Pushing: a robot walks against an opponent for Offences::pushing_lasts, or until the opponent falls, and the
+//   opponent does not walk against the robot. A robot whose walk is more than 60 degrees off the opponent's direction
+//   does not push. A robot that kicks or lies does not push. A goalkeeper in its own penalty area does not push.
 // - Holding: the robot keeps touching the ball, and the ball stays in place. A robot that moves the ball dribbles and
 //   does not hold it. The holding time decreases while the robot does not touch the ball.
 // - Goal area: a robot is in its goal area when the centre of the robot is in the area.

@@ -60,7 +60,7 @@ mind::Pose re_entry_pose(const config::FieldSize& field, double direction, Vecto
 // Returns the pose of robot `id` while it is out of play: beyond the border, where it disturbs no other robot.
 mind::Pose waiting_pose(const config::FieldSize& field, int id, double robot_radius);
 
-// Return the place of the ball for a set play after the ball has left the field at `left_at`.
+// These functions return the place of the ball for a set play after the ball has left the field at `left_at`.
 Vector kick_in_spot(const config::FieldSize& field, Vector left_at);
 Vector goal_kick_spot(const config::FieldSize& field, Vector left_at);
 Vector corner_spot(const config::FieldSize& field, Vector left_at);

@@ -15,9 +15,9 @@
 // - After a free kick a goal counts only after a second play of the ball (see IndirectKick). To play the ball is to
 //   kick it or to dribble it (touches for 0.3 s). A ball that hits a robot is not played. Touches of a penalty taker
 //   count as one touch until the taker has not touched the ball for 0.5 s.
-// - The game is stuck when the ball has moved less than 0.25 m for Durations::game_stuck. If the nearest robot is near
-//   the ball, this robot is removed (local game stuck). Else, if a robot has touched the ball since the kick-off, the
-//   nearest robot's side gets a kick-off (global game stuck).
+// - The game is stuck when the ball has moved less than 0.25 m for Durations::game_stuck. If the nearest robot is
+//   within Offences::stuck_near_ball of the ball, this robot is removed (local game stuck). Else, if a robot has
+//   touched the ball since the kick-off, the nearest robot's side gets a kick-off (global game stuck).
 // - The clock never stops within a half. The rule book's added time and additional packets are therefore not needed.
 #pragma once
 

@@ -26,7 +26,7 @@ std::uint32_t checksum(std::string_view bytes, std::uint32_t before = 0);
 
 class Compressor {
  public:
-  // level: of 19. Levels 2, 3, 5 and 7 compress numbers in text worse than 1 (benchmarks/README.md).
+  // level: of zstd, 1 to 19. Levels 2, 3, 5 and 7 compress numbers in text worse than 1 (benchmarks/README.md).
   explicit Compressor(int level = 1);
   // Compresses `bytes` and appends them as one frame. The frame depends only on `bytes` and on the version of zstd.
   void append(std::string& to, std::string_view bytes);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Assembly creates the plugin instances of one robot's mind from the team's plan. All teammates create the instances in
-// one order, so that mailboxes and seeds of teammates match. If the plan uses a plugin twice with the same parameters,
-// the two uses share one instance and its state. Predictors and conditions never share an instance.
+// one order. So a use of a plugin has the same place (the instance's number in this order) in every mind; messages find
+// a teammate's plugin by its place (mailboxes.hpp), and seeds depend on it. If the plan uses a plugin twice with the
+// same parameters, the two uses share one instance and its state. Predictors and conditions never share an instance.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +31,8 @@ class Assembly {
   // Returns the behaviours in the order of TeamPlan::behaviours(). Must be called after contexts(): contexts and
   // behaviours may share instances, and the first use determines the order of creation.
   std::vector<plugin::Behaviour> behaviours();
-  // Returns the part of the plan for which the instance at this place was created; if shared: of the first use.
+  // Returns the part of the plan (a use of a plugin) for which the instance with this place was created. If several
+  // uses share the instance: the first of them.
   const Part& part(std::size_t place) const { return *parts_.at(place); }
 
  private:

@@ -18,7 +18,8 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   // Finds a plugin and checks the values of its parameters.
   const auto part = [&](const config::PluginUse& use, int kind, unsigned subject = 0) {
     Part out{nullptr, {}, use};
-    // A plugin without a name or with a doubtful place was reported with an earlier mistake.
+    // A plugin without a name, or named at a location that was marked by Mistakes::doubt_place(), belongs to a mistake
+    // that was reported before.
     if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
     mistakes.attempt("", [&] {
       out.found = &catalogue.find(use, kind, subject);

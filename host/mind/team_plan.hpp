@@ -75,7 +75,7 @@ struct BehaviourPlan {
 struct RoleRow {
   const config::Role* role = nullptr;
   int list = 0;               // index into Team::role_lists
-  int priority = 0;           // place in the list; 0 = most important
+  int priority = 0;           // position in the list; 0 = most important
   std::size_t behaviour = 0;  // index into TeamPlan::behaviours()
 };
 

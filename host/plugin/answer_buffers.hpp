@@ -144,7 +144,7 @@ struct AnswerBuffers {
   // also checks the whole pattern and the whole floating-point state.
   bool strict = true;
 
-  CallNote unheard;                           // unused note, to which calls write if the caller has no CallNote
+  CallNote unheard;                           // note that nobody reads: calls write to it if the caller has no CallNote
   GuardedValue<regista_error> error;          // for the error text of every call
   GuardedValue<regista_room> track_room;      // answer of a predictor
   GuardedBuffer<regista_track> tracks{1};     // answer of a predictor

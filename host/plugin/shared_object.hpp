@@ -38,8 +38,8 @@ struct FileStamp {
 
 FileStamp stamp_of(const std::filesystem::path& file);
 
-// A shared object with plugins: the file's stamp, and its code, which is loaded for the first instance of a plugin. The
-// constructor takes the stamp when the file is examined.
+// A shared object with plugins: the file's stamp (FileStamp), and its code, which is loaded for the first instance of a
+// plugin. The constructor takes the stamp when the file is examined.
 class PluginFile {
  public:
   explicit PluginFile(std::filesystem::path file);

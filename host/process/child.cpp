@@ -98,7 +98,7 @@ bool holds(std::span<const pid_t> all, pid_t one) { return std::ranges::find(all
 
 using Clock = std::chrono::steady_clock;
 
-// Reads the output of the program until it has closed both pipes. Returns false after a timeout.
+// Reads output and errors of the program until it has closed the pipes of both. Returns false after a timeout.
 bool read_both(const ProgramCall& call, FileDescriptor& output, FileDescriptor& errors, ProgramEnd& out) {
   const auto begin = Clock::now();
   const auto append_to = [&](std::string& text) {

@@ -53,8 +53,8 @@ struct Pipe {
 // Throws std::system_error.
 Pipe make_pipe();
 
-// Returns a nameless file with the content `text`, at its beginning. Unlike a pipe, it is never full. Throws
-// std::system_error.
+// Returns a nameless file in memory with the content `text`; its file position is 0, so a reader gets the whole text.
+// Unlike a pipe, the file is never full. Throws std::system_error.
 FileDescriptor memory_file(std::string_view text);
 
 // Returns the whole content of a file. Does not move the file position, which other processes may share.

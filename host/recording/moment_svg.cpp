@@ -32,7 +32,8 @@ Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
                to.x(x), to.y(y), longer * to.per_metre, shorter * to.per_metre, -angle * 180.0 / std::numbers::pi);
 }
 
-// Who chooses a place first: the chosen robot, its team, its tasks, then the ages of its beliefs and the opponents.
+// The order in which labels choose their places: the chosen robot, its team, its tasks, then the ages of its beliefs
+// and the opponents.
 constexpr Labels::Style of_chosen{"role", 0, 10.5, true}, of_own_team{"role", 1, 10.5, true},
     of_tasks{"task-name", 2, 10.5, true}, of_ages{"age", 3, 9.5, false}, of_opponents{"role", 4, 10.5, false};
 
@@ -151,7 +152,8 @@ Html planned(const RecordedDecision& decision, const RecordedTeam& team, const S
   return out;
 }
 
-// Returns how far robots stand beside the carpet, m: penalised robots wait there.
+// Returns how far the outermost robot stands beside the carpet (the field and the strip around it), at most 1 m:
+// penalised robots wait there. half_width: of the carpet, m.
 double outside_of(const RecordedMatch& match, const RecordedGame& game, double half_width) {
   constexpr double farthest = 1.0, name = 0.25;  // m; a damaged recording may have any pose; room for a label
   double out = 0.0;

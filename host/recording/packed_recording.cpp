@@ -41,7 +41,7 @@ bool is_of_word(char c) {
   return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '.';
 }
 
-// Length of the number with which the text begins; 0: none.
+// Returns the length of the number at the beginning of the text; 0 if there is none, or if a word continues it.
 std::size_t number_length(std::string_view text) {
   std::size_t at = text.starts_with('-') ? 1 : 0;
   const auto digits = [&] {
@@ -64,7 +64,9 @@ struct Number {
   std::size_t decimals = 0;
 };
 
-// Nothing if the text has more digits, or is not the shortest one of its number: the page writes no other.
+// Returns the number in the text. Returns nothing for a text with an exponent, with more than most_digits characters or
+// most_decimals decimals, or that is not the shortest text of its number (1.50, -0): the page can write only the
+// shortest text.
 std::optional<Number> number_of(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
@@ -94,13 +96,13 @@ struct Table {
   std::vector<Row> rows;
 };
 
-// Robots of a team decide on much the same, so their decisions stand together. What else a robot tells resembles what
-// it told before.
+// Returns the key by which the rows of a table are sorted, so that similar rows are neighbours. Robots of a team make
+// similar decisions, so their topics have one key. Other messages of a robot resemble its own earlier messages.
 std::string_view kindred(std::string_view topic) {
   return topic.starts_with("/decision/") ? topic.substr(0, topic.rfind('/')) : topic;
 }
 
-// texts: receives the numbers that are no differences.
+// Appends a column. texts: receives the numbers that are written as texts.
 void append_column(std::string& to, const Table& table, std::size_t column, std::string& texts) {
   std::int64_t before = 0;
   for (const Row& row : table.rows) {
@@ -190,7 +192,7 @@ class Tables {
   std::unordered_map<std::string, std::size_t> by_form_;
 };
 
-// Nothing for a file that is cut off. Throws mcap::Error for a damaged one.
+// Returns the packed form; nothing for a cut-off file, which has no index. Throws mcap::Error for a damaged file.
 std::optional<std::string> packed(const std::filesystem::path& file) {
   mcap::Reader reader(file);
   if (!reader.indexed()) return {};  // only an index knows all topics and metadata beforehand
@@ -237,7 +239,7 @@ std::string packed_recording(const std::filesystem::path& file) {
   try {
     if (auto out = packed(file)) return std::move(*out);
   } catch (const mcap::Error&) {
-    // The page reads a damaged file as far as possible.
+    // The file is damaged. The page gets it as it is and reads it as far as possible.
   }
   return whole(file);
 }

@@ -30,7 +30,9 @@ struct LastDecision {
 
 // --- Events of segments: a plugin offers bytes, the bytes leave in a packet or are dropped, teammates hear the packet.
 
-// Finds the offer to which a heard segment belongs. A packet contains places and bytes, but no handles of offers.
+// Finds the offer of a segment that a teammate heard. The packet cannot tell: for each segment it has only the number
+// of the plugin's place in the team (mailboxes.hpp) and the bytes, not the handle of the offer. So this class remembers
+// each sent segment and finds it by sender, time of sending, and index in the packet.
 class SentSegments {
  public:
   // Returns the handle that the offering robot gave to the offer of this event; 0 if there is no offer or the offer is
@@ -59,8 +61,8 @@ struct SegmentRecord {
 // Writes "side":"home","robot":3,"segment":"offered", ... into an open JSON object (docs/recordings.md).
 void write(texts::JsonText& json, const SegmentRecord& record);
 
-// --- Drawings of plugins in the field. All drawings would be the largest part of a recording. Therefore a layer is
-// recorded only when it has changed, and at most twice a second.
+// --- Drawings of plugins in the field. All drawings would be the largest part of a recording. Therefore a layer (the
+// shapes that a plugin draws under one name) is recorded only when it has changed, and at most twice a second.
 
 class DrawnLayers {
  public:

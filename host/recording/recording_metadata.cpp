@@ -99,7 +99,7 @@ std::string dump(const Json& json) { return json.dump(-1, ' ', false, Json::erro
 // Returns the text as well-formed UTF-8, because users may type other bytes.
 std::string sound(const std::string& text) { return Json::parse(dump(text)).get<std::string>(); }
 
-constexpr std::uint64_t last_stretch = 1'000'000'000;  // ns; longer than the 0.1 s between two game states
+constexpr std::uint64_t last_stretch = 1'000'000'000;  // ns: this end of the file is read for the final score
 
 bool says(const mcap::Pairs& about, const char* key, std::string_view value) {
   const auto found = about.find(key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The metadata record "match" of a recording: teams, field, names. Values are text; a value with several parts is JSON
-// (docs/recordings.md). The file also has functions that read only a part of a recording.
+// (docs/recordings.md). This header also declares functions that read only a part of a recording.
 #pragma once
 
 #include <array>

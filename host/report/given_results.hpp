@@ -64,7 +64,7 @@ struct PowerQuestion {
   std::optional<double> difference;
   std::optional<std::int64_t> pairs;
   bool sequential = false;  // true: the study uses a sequential test
-  const char* what = "";    // word for a comparison: "Pairing"
+  const char* what = "";    // word for a comparison, such as "Pairing"; several: its plural
   const char* several = "";
 };
 

@@ -67,14 +67,15 @@ std::string packets_clause(const study::PacketsSpent& packets);
 // Returns {"per_match", "share", "overspent"}; null without shorter games.
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets);
 
-// --- Sentences about the number of pairs: too few pairs for a verdict, a clock that ended the study, pairs that a user
-// added after seeing the results. A test of scores needs uneven pairs: pairs in which one team has more points.
+// --- Sentences about the number of pairs: too few pairs for a verdict, a time limit (--until, --minutes) that ended
+// the study, pairs that a user added after seeing the results. A test of scores needs uneven pairs: pairs in which one
+// team has more points.
 
 // "5 pairs cannot give a verdict: at least 6 are needed"; empty for enough pairs and for a sequential test.
 std::string too_few_pairs(const study::TournamentPlan& plan);
 std::string too_few_pairs(const study::ExperimentPlan& plan);
 
-// "37 pairs, where the clock stopped it (100 were planned)"; "100 pairs" if no clock has stopped the study.
+// "37 pairs, where the clock stopped it (100 were planned)"; "100 pairs" if no time limit has stopped the study.
 std::string number_of_pairs(const study::TournamentPlan& plan);
 std::string number_of_pairs(const study::ExperimentPlan& plan);
 
@@ -82,7 +83,8 @@ std::string number_of_pairs(const study::ExperimentPlan& plan);
 std::string stopped_sentence(const study::TournamentPlan& plan);
 std::string stopped_sentence(const study::ExperimentPlan& plan);
 
-// Adds notes for a user who continues the study: there are too few pairs for a verdict, or a clock has ended the study.
+// Adds notes for a user who continues the study: there are too few pairs for a verdict, or a time limit has ended the
+// study.
 template <class Plan>
 void add_notes_on_pairs(const Plan& plan, std::vector<std::string>& notes) {
   if (const std::string few = too_few_pairs(plan); !few.empty()) notes.push_back(few);

@@ -29,7 +29,7 @@ struct TableOptions {
 // The files that a page of a study needs.
 struct PageFiles {
   std::filesystem::path results, page;  // file of the results, and file of the page itself
-  std::vector<std::string> documents;   // resolved documents of the teams; empty: unknown
+  std::vector<std::string> documents;   // resolved documents of the teams; empty list: the file has none
 };
 
 // A hash over all matches in the order of the schedule. Matches with equal results and states give equal hashes.
@@ -63,8 +63,8 @@ class StudyReport {
   virtual Outline outline() const = 0;
   virtual Outline page_outline(const PageFiles& files) const;
 
-  // Declares the study complete after its first `pairs` pairs, because a clock has stopped the study. Only for studies
-  // whose rounds have pairs (study::Round::matches_of_a_pair).
+  // Declares the study complete after its first `pairs` pairs, because a time limit (--until, --minutes) has stopped
+  // the study. Only for studies whose rounds have pairs (study::Round::matches_of_a_pair).
   virtual void end_after(std::uint64_t /*pairs*/) {}
 
   // Returns lines without line ends, which the program shows before the first match.

@@ -174,7 +174,8 @@ void TournamentHistory::take(const campaign::MatchResult* decided) {
   const std::uint64_t before = std::exchange(matches_, course_.matches());
   const bool unplayed = course_.unplayed_pairs() != std::exchange(unplayed_pairs_, course_.unplayed_pairs());
   if (decided != nullptr && index % 2 == 0) {
-    // The course does not count matches of teams that were set aside. The history ignores such a match, too.
+    // The course does not count matches of teams that were set aside (excluded after too many failures). The history
+    // ignores such a match, too.
     if (matches_ != before || decided->set_aside()) first_of_pair_ = {index, *decided};
   } else {
     const bool taken = unplayed || matches_ == before + 1;

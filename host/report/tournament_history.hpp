@@ -110,7 +110,8 @@ class TournamentHistory {
   TournamentHistory(const study::TournamentPlan& plan, const study::Tournament& course,
                     std::vector<std::uint64_t> recorded = {});
 
-  // The caller must call this function after every call of Tournament::take() of `course`, with the same argument.
+  // Takes the result that the course took just now. Call it after every Tournament::take() of the `course` given to the
+  // constructor, with the same argument: the function reads from the course whether the match counted.
   void take(const campaign::MatchResult* decided);
   // Ends the history. The first match of the last pair counts even if the second match of this pair is missing.
   void end();

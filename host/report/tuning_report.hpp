@@ -55,11 +55,13 @@ struct TunedValue {
   double base = 0.0, tuned = 0.0;
   RangeEnd at = RangeEnd::none;  // end of the range if `tuned` is closer to this end than a hundredth of the range
 };
-// Returns the free parameters with the values of the kept finalist; empty if no finalist was kept.
+// Returns the base and tuned values of the free parameters. The tuned values are those of the finalist record.tuned():
+// the first candidate that was found better than the base team or, if none was, the first candidate. Empty if there are
+// no candidates.
 std::vector<TunedValue> tuned_values(const TuningView& view);
 
-// Returns the index of the finalist whose values are the centre of the slices: the kept finalist or, if none was kept,
-// the first finalist. Returns nothing if there are no finalists.
+// Returns the index of the finalist whose values are the centre of the slices: record.tuned() or, if there are no
+// candidates, the first finalist. Returns nothing if there are no finalists.
 std::optional<std::size_t> slice_centre(const study::TuningRecord& record);
 
 // The result of the verification for one finalist. A finalist in the verification is called a candidate.

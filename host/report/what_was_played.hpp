@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The part "What was played" of every report: teams, rules, robots, disturbances, scenes, number of matches, program,
-// and the complete document with which a user can repeat the study. The file also compares the documents of teams.
+// and the complete document with which a user can repeat the study. This header also declares functions that compare
+// the documents of teams.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -45,7 +46,7 @@ struct WhatWasPlayed {
   std::vector<campaign::Input> inputs;  // all inputs, each once
   std::string document;                 // document of the study with all values, including defaults; empty for a match
   std::vector<std::string> changed;     // result of not_as_before()
-  bool may_end_by_the_clock = false;    // true: a clock may end the study, so another machine may play other matches
+  bool may_end_by_the_clock = false;    // true: a time limit may end it, so another machine may play other matches
 };
 
 // Returns the part that all studies have in common. common: inputs of all matches. openings: one input for each scene.
@@ -81,7 +82,8 @@ Section again_section(const WhatWasPlayed& played, const std::string& results, c
 // --- The differences of the resolved documents of teams
 
 // A value that differs between documents. Elements of lists with names are compared with the elements of the same name.
-// So another order of a list, or an additional element, is only one difference.
+// So another order of a list is one difference, at the path of the list, and an additional element does not make the
+// elements after it different.
 struct DifferingValue {
   std::string path;                                // "sender.params.reserve", "roles.playing[striker].target.at"
   std::vector<std::optional<std::string>> values;  // one value per document; missing if the document lacks this value
@@ -91,8 +93,10 @@ struct DifferingValue {
 // document, then the values that only later documents have. Throws config::Error for a text that is not YAML.
 std::vector<DifferingValue> differing_values(std::span<const std::string> documents);
 
-// Returns a section of a page with the differences of the teams' documents, disturbances, plugins and files, followed
-// by each document. documents: documents of all teams, or of the first teams, in the order of `teams`; empty: unknown.
+// Returns the section of the page that shows where the teams differ: in their documents, disturbances, plugins and
+// files. The documents follow. documents[i]: the resolved document of teams[i]. There may be fewer documents than
+// teams; then only the first teams are compared, and never more than 8. An empty list: an older program, which did not
+// store documents, made the results.
 Section configuration_section(std::span<const std::string> documents, std::span<const PlayedTeam> teams);
 
 }  // namespace regista::report

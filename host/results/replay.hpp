@@ -82,7 +82,8 @@ void require_viewer(const Invocation& invocation);
 // Throws BadInput if the recording is too large for a page in a browser.
 void require_small_enough(const std::filesystem::path& recording);
 
-// Returns the page. name: title of the recording; mark: text for its head. Throws BadInput for an unreadable file.
+// Returns the viewer's page with this recording in it. name: title of the recording; mark: HTML for the head of the
+// page. Throws BadInput for an unreadable file.
 std::string viewer_page(const std::filesystem::path& recording, std::string_view name, std::string_view mark,
                         const Invocation& invocation);
 
@@ -103,8 +104,9 @@ Replay replay(const std::filesystem::path& results, const report::ListedMatch& m
 // Returns the match of a row in the form that the study's page lists. Throws BadInput for a row that was not played.
 report::ListedMatch listed_match(const StoredResults& results, std::uint64_t row);
 
-// Replays the most informative matches. Prints the expected time first and then a line for each match. Returns false if
-// any replay differs from its stored match. Throws the exceptions of replay().
+// Replays the `matches` most informative matches (report::MatchList::highlights()) and writes a page of each. Prints
+// the expected time first and then a line for each match. Returns false if any replay differs from its stored match.
+// Throws the exceptions of replay().
 bool replay_telling(const StoredResults& results, std::size_t matches, const Invocation& invocation);
 
 }  // namespace regista::results

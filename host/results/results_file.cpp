@@ -262,7 +262,7 @@ std::vector<campaign::Job> first_jobs(study::Study& study) {
       throw Known();
     });
   } catch (const Known&) {
-    // Known was thrown only to end the study after its first round.
+    // The exception Known only ended the study after its first round.
   }
   return out;
 }
@@ -281,7 +281,7 @@ std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, s
       if (here || !study::answer_from(store, round, study.metrics())) throw Known();
     });
   } catch (const Known&) {
-    // Known was thrown only to end the study: the match was found, or results of its round are missing.
+    // The exception Known only ended the study: the match was found, or results of its round are missing.
   }
   if (!job) return std::nullopt;
   const std::string key = campaign::fixture_key(job->home_inputs, job->away_inputs, job->common_inputs);

@@ -59,8 +59,8 @@ const StudyKind& kind_of(const std::string& file, const std::string& plan, std::
 // Replaces the stored plan by another plan of the same study. Throws campaign::StoreError.
 void store_plan(campaign::Store& store, const std::string& plan);
 
-// Removes the early end from a study that the clock stopped, so that the study can continue. Other studies stay
-// unchanged. file: the store's name in messages. Throws BadInput.
+// Removes the early end from a study that its time limit (--until, --minutes) stopped, so that the study can continue.
+// Other studies stay unchanged. file: the store's name in messages. Throws BadInput.
 void lift_end(const std::string& file, campaign::Store& store, std::span<const StudyKind> kinds);
 
 // Changes the current folder to the folder in which a study was begun, because the study names its files relative to

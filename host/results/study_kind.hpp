@@ -71,11 +71,12 @@ struct StudyKind {
   // Returns the plan with another number of pairs of matches. No function: this kind has no number of pairs. Throws
   // std::invalid_argument with one line that says why the plan cannot have this number.
   std::function<std::string(const std::string& plan, std::uint64_t pairs)> with_pairs{};
-  // Returns the plan of a study that the clock stopped, without this early end, so that the study can continue. No
-  // function: the clock never stops studies of this kind between two pairs. Throws std::invalid_argument.
+  // Returns the plan of a study that a time limit (--until, --minutes) stopped, without this early end, so that the
+  // study can continue. No function: a time limit never stops studies of this kind between two pairs. Throws
+  // std::invalid_argument.
   std::function<std::string(const std::string& plan)> without_end{};
-  // Changes a document that has no end of its own, so that the clock ends the study. Returns other documents unchanged.
-  // No function: every document must have an end.
+  // Changes a document that has no end of its own, so that a time limit ends the study. Returns other documents
+  // unchanged. No function: every document must have an end.
   std::function<config::Node(const config::Node& document)> until_the_clock{};
   // Begins or continues the study and writes its report. Returns the exit code. No function: play_study() is used.
   std::function<int(const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,

@@ -208,7 +208,8 @@ struct Playing {
   const command::Interruption& interruption;
 };
 
-// Passes matches to the round only in complete pairs, so that a study that the clock stops has no incomplete pair.
+// Passes matches to the round only in complete pairs, so that a study that a time limit (--until, --minutes) stops has
+// no incomplete pair.
 class WholePairs {
  public:
   explicit WholePairs(const study::Round& round) : round_(round) {}
@@ -233,7 +234,8 @@ class WholePairs {
   std::uint64_t pairs_ = 0;
 };
 
-// pairs: null if no clock may stop the study; otherwise it must outlive the schedule.
+// Returns the schedule with which the engine plays the round. pairs: passes only complete pairs to the round; null if
+// no time limit may stop the study. All references must outlive the schedule.
 campaign::Schedule schedule_of(const study::Round& round, const Playing& playing, std::vector<std::int64_t> numbers,
                                campaign::Metrics metrics, WholePairs* pairs) {
   const auto recording = [&playing, &round](std::uint64_t index) {
@@ -278,7 +280,7 @@ campaign::Schedule schedule_of(const study::Round& round, const Playing& playing
   return out;
 }
 
-// Returns the number of complete pairs after which the clock stopped the study, or nothing if the study is complete.
+// Returns the number of complete pairs after which a time limit stopped the study, or nothing if the study is complete.
 std::optional<std::uint64_t> play(study::Study& study, const campaign::Options& options, const Invocation& invocation,
                                   campaign::Store& store, StudyProgress& progress, const study::AfterMatch& after) {
   std::optional<std::uint64_t> stopped_after;

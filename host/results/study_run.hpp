@@ -20,14 +20,14 @@ struct StudyHooks {
 };
 
 // Plays the study and writes the report and its page. Returns the exit code. options.results is the path of `store`. If
-// the clock stops the study at options.end_of_time, the study ends with its complete pairs. Throws the exceptions that
-// terminal.hpp explains; stored matches stay in the store. Plays::nothing_yet plays nothing. Plays::nothing_more plays
-// nothing and takes all results from the store.
+// the time limit options.end_of_time stops the study, the study ends with its complete pairs. Throws the exceptions
+// that terminal.hpp explains; stored matches stay in the store. Plays::nothing_yet plays nothing. Plays::nothing_more
+// plays nothing and takes all results from the store.
 int play_study(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                campaign::Store& store, const StudyHooks& hooks);
 
-// Plays the study without report and page. If the clock stopped the study before its first complete pair, the function
-// prints a message and returns false.
+// Plays the study without report and page. If the time limit stopped the study before its first complete pair, the
+// function prints a message and returns false.
 bool play_matches(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                   campaign::Store& store, const study::AfterMatch& after);
 

@@ -95,7 +95,8 @@ void BettingGrid::add(double value) {
   stake_.learn(x);
   sum_ += x;
   ++values_;
-  // ln 2, because each gambler began with half of the capital. Evidence falls from the ends of the grid to the mean.
+  // log_above() and log_below() start at a capital of 1, but each gambler has only half of it: hence ln 2. Evidence
+  // falls from the ends of the grid to the mean.
   const double enough = std::numbers::ln2 - std::log(design_.alpha);
   while (first_ < last_ && capitals_[static_cast<std::size_t>(first_)].log_above() >= enough) ++first_;
   while (first_ < last_ && capitals_[static_cast<std::size_t>(last_)].log_below() >= enough) --last_;

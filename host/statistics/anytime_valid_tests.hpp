@@ -16,7 +16,8 @@ namespace regista::statistics {
 // any distribution of the values within their bounds. The means against which no gambler became rich form a confidence
 // sequence. I. Waudby-Smith and A. Ramdas, "Estimating means of bounded random variables by betting", Journal of the
 // Royal Statistical Society B 86, 2024: predictable plug-in bets (their equations 24 to 26) and the hedged capital of
-// theorem 3. Each of the two gamblers begins with half of the capital.
+// theorem 3: two gamblers start with half of the capital each; one bets that the true mean is larger than m, the other
+// that it is smaller.
 //
 // For goal differences, the mercy rule gives the bounds. Callers add the values in the order of the schedule.
 // Precondition: the expectation of each value, given the values before it, is the same mean.

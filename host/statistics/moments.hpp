@@ -107,8 +107,9 @@ std::optional<TwoWayAnalysis> two_way_analysis(std::span<const std::vector<doubl
 // pairs. Returns nothing without a pair or a game, or if all games have the same score.
 std::optional<double> variance_ratio(const PairCounts& pairs, const GameCounts& games);
 
-// Returns the variance ratio for values such as goal differences, from the first team's point of view. means: the mean
-// of each pair; all: every value. Returns nothing for fewer than two pairs or if all values are equal.
+// Returns 2 (variance of the means of pairs) / (variance of all values), for values such as goal differences from the
+// first team's point of view. means: the mean of each pair; all: every value. Returns nothing for fewer than two pairs
+// or if all values are equal.
 std::optional<double> variance_ratio(const Moments& means, const Moments& all);
 
 }  // namespace regista::statistics

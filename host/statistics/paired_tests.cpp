@@ -21,7 +21,8 @@ struct WholeLaw {
 };
 
 constexpr Count all_of_a_binomial = 4096;  // up to this number of coins, heads_of() keeps all numbers of heads
-// For more coins, heads_of() keeps the numbers within 16 standard deviations. The rest has a probability of 1e-57.
+// For more coins than all_of_a_binomial, heads_of() keeps the numbers within 16 standard deviations. The rest has a
+// probability of 1e-57.
 constexpr double kept_deviations = 16.0;
 constexpr double far_deviations = 12.0;
 

@@ -19,14 +19,14 @@ namespace regista::statistics {
 
 using Probabilities = std::array<double, 5>;  // only the first law.outcomes elements are used
 
-// Returns q with the mean score `mean`, in (0, 1): phi = score - mean. Returns nothing only if rounding leaves no room
-// between `mean` and 0 or 1.
+// Returns the most likely distribution q (see above) with the mean score `mean`, in (0, 1): phi = score - mean. Returns
+// nothing only if rounding leaves no room between `mean` and 0 or 1.
 std::optional<Probabilities> most_likely_with_mean(const ScoreLaw& law, double mean);
 
-// Returns q with (mean - 1/2) / sd = `effect`, any finite number. This constraint is not linear. Up to ten rounds
-// linearise the constraint around the q of the previous round, the first round around the uniform distribution: phi =
-// score - 1/2 - effect sd (1 + ((score - mean) / sd)^2) / 2. Returns nothing if a round has no solution, for example
-// for effects far larger than these scores allow.
+// Returns the most likely distribution q (see above) with (mean - 1/2) / sd = `effect`, any finite number. This
+// constraint is not linear. Up to ten rounds linearise the constraint around the q of the previous round, the first
+// round around the uniform distribution: phi = score - 1/2 - effect sd (1 + ((score - mean) / sd)^2) / 2. Returns
+// nothing if a round has no solution, for example for effects far larger than these scores allow.
 std::optional<Probabilities> most_likely_with_effect(const ScoreLaw& law, double effect);
 
 // --- The log-likelihood ratio in nats: how much more probable the counts are under the most likely distribution of H1

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The course of an experiment. The class Experiment takes the results in the order of the schedule. For every condition
-// and measure, it keeps one value per pair of matches. For a measure of time, this value is in minutes per 60 minutes
-// of play in both matches. For any other measure, this value is the mean over both matches. A pair with a forfeit has
-// no values, because the result without the forfeit is unknown. A pair with a match that could not be played has no
-// values either. No side may gain by such a pair, so a finding must hold for every result that the pair could have had
-// (paired_estimates.hpp).
+// The course of an experiment: what its results so far add up to. The class Experiment takes the results in the order
+// of the schedule. For every condition and measure, it keeps one value per pair of matches. For a measure of time, this
+// value is in minutes per 60 minutes of play in both matches. For any other measure, this value is the mean over both
+// matches. A pair with a forfeit has no values, because the result without the forfeit is unknown. A pair with a match
+// that could not be played has no values either. No side may gain by such a pair, so a finding must hold for every
+// result that the pair could have had (paired_estimates.hpp).
 #pragma once
 
 #include <cstdint>

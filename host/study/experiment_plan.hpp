@@ -51,7 +51,8 @@ struct ExperimentPlan {
   std::vector<Opening> openings;      // all scenes of the document; empty: matches start with kick-off
   std::uint64_t pairs = 0;            // pairs of matches for each condition
   std::string pairs_before;           // values of `pairs` before with_pairs() raised it: "100, 150"
-  // Set if a clock, not a result, stopped the experiment: the number of pairs that were played until then.
+  // Set if a time limit (--until, --minutes), not a result, stopped the experiment: the number of pairs that were
+  // played until then.
   std::optional<std::uint64_t> ended_after;
   std::vector<std::string> measures;   // names (study/measure.hpp) in the order of reports
   std::string folder;                  // absolute path of the folder in which the experiment began
@@ -97,7 +98,7 @@ Trial trial(const ExperimentPlan& plan, std::uint64_t index);
 // The job of a trial's match. `regista match` plays the same job.
 campaign::Job job(const ExperimentPlan& plan, const Trial& trial);
 
-// All fixtures of the plan with their keys, in the order of Trial::number.
+// All fixtures of the plan (matches without their seeds) with their keys, in the order of Trial::number.
 std::vector<campaign::Store::Fixture> fixtures(const ExperimentPlan& plan);
 
 // The name of a condition: "events", or "events at 0.2" in a sweep.
@@ -110,7 +111,7 @@ const char* name(PairTest test);
 
 // A copy of the plan with more pairs. Throws std::invalid_argument if `pairs` is below the plan's number.
 ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs);
-// A copy of the plan without `ended_after`: a study that a clock stopped continues until all pairs are played.
+// A copy of the plan without `ended_after`: a study that a time limit stopped continues until all pairs are played.
 ExperimentPlan without_end(ExperimentPlan plan);
 
 // Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.

@@ -72,7 +72,8 @@ class MatchMeasures {
 // Why the matches of a study do not have this metric, in words; empty if they have the metric.
 std::string why_missing(std::string_view metric, bool short_games);
 
-// Returns whether a team spent over 1.05 times its share. A game that ends between packets may cause a small excess.
+// Returns whether a team spent over 1.05 times its share. over: packets spent minus share. A game that ends between
+// packets may cause a small excess.
 inline bool is_overspent(double over, double share) { return over > 0.05 * share && over > 0.0; }
 
 // The packets of one team in one game: number sent, and the team's share of the budget.

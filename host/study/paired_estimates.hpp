@@ -42,8 +42,8 @@ struct PairP {
   PairMethod by;
 };
 
-// Returns nullopt if fewer than two pairs have both values, and p = 1 if all differences are 0. Student's t is
-// undefined if all differences are equal but not 0; the sign-flip test then replaces Student's t.
+// Returns nullopt if fewer than two pairs have a value in both lists, and p = 1 if all differences are 0. Student's t
+// is undefined if all differences are equal but not 0; the sign-flip test then replaces Student's t.
 std::optional<PairP> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test);
 // Like p_of_difference(), for one number per pair instead of a difference.
 std::optional<PairP> p_of_values(std::span<const double> values, PairTest test);

@@ -108,7 +108,7 @@ void ask_for(OwnJobs& jobs, const OwnMatches& asked, const config::MatchSettings
 campaign::MatchSetup find_inputs(OwnJobs& jobs, const config::Overrides& settings, const plugin::Catalogue& catalogue,
                                  const std::string& program, const std::string& mathematics);
 
-// The fixture of a job whose inputs are known.
+// Returns the fixture of a job (the match without its seed) with its key. The job must have its inputs.
 campaign::Store::Fixture fixture_of(campaign::Job job);
 
 // Returns `path` if it is a file. For a folder, returns all its .yaml files, sorted by name. Throws config::BadInput

@@ -33,7 +33,7 @@ struct Round {
   std::uint64_t first_row = 0;  // number of rows of the results file that earlier rounds use
   std::vector<campaign::Store::Fixture> fixtures;
   struct Place {
-    std::size_t fixture = 0;  // index into `fixtures`
+    std::size_t fixture = 0;  // index into `fixtures` (matches without their seeds)
     std::uint64_t seed = 0;
   };
   // The match with this index, from 0; nullopt if the study does not want the match any more.
@@ -42,9 +42,9 @@ struct Round {
   // Gives the study the result of a match. `decided` is null if the study did not want the match. The caller calls
   // take() in the order of indices. take() returns false if the round needs no more matches.
   std::function<bool(std::uint64_t index, const campaign::MatchResult* decided)> take;
-  bool may_end_early = false;  // a test or a clock may end the round before its last match
-  // The number of matches with one pair number, over all pairings or conditions. A clock stops the study only after a
-  // multiple of this number of matches. 0: a clock never stops the study.
+  bool may_end_early = false;  // a test or a time limit may end the round before its last match
+  // The number of matches with one pair number, over all pairings or conditions. A time limit (--until, --minutes)
+  // stops the study only after a multiple of this number of matches. 0: it never stops the study.
   std::uint64_t matches_of_a_pair = 0;
   // Whether a match is the first of its pairing. The engine plays such a match twice. Empty function: no such match.
   std::function<bool(std::uint64_t index)> first_of_pairing;

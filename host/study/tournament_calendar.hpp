@@ -39,11 +39,13 @@ class Calendar {
   // The fixture with this Fixture::number, with seed 0 and pair 0.
   Fixture of_number(std::size_t number) const;
   std::size_t fixtures() const { return 2 * pairings_.size() * openings_; }
-  // Returns the number of pairs that each team or meeting has behind it after so many matches, if they are equal for
-  // all.
+  // Returns how many pairs every pairing has played after the first `matches` matches; in a Swiss tournament or
+  // knock-out, the number of pairs that the rounds so far gave to a team that plays in each. Returns nothing unless all
+  // pairings have played equally often, or a round has just ended.
   std::optional<std::uint64_t> pairs_after(std::uint64_t matches) const;
 
-  // Rounds: the indices of the pairings that meet.
+  // The rounds of a Swiss tournament or knock-out. drawn(): for each round drawn so far, the indices of the pairings
+  // that meet; draw() adds a round.
   std::uint64_t rounds() const { return rounds_; }  // 0: the schedule does not depend on results
   std::span<const std::vector<std::size_t>> drawn() const { return drawn_; }
   void draw(std::vector<std::size_t> pairings);
@@ -65,7 +67,7 @@ config::Overrides settings_of(const TournamentPlan& plan, const Fixture& fixture
 // The job of a fixture's match. `regista match` plays the same job.
 campaign::Job job(const TournamentPlan& plan, const Fixture& fixture);
 
-// All fixtures of the plan with their keys, in the order of Fixture::number.
+// All matches of the plan without their seeds, with their keys, in the order of Fixture::number.
 std::vector<campaign::Store::Fixture> fixtures(const TournamentPlan& plan);
 
 }  // namespace regista::study

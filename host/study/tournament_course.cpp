@@ -104,7 +104,8 @@ void MetricDifference::add(double first, double second) {
 statistics::Estimate MetricDifference::estimate() const {
   const double mean = difference_.mean(), variance = difference_.variance();
   double half = std::numeric_limits<double>::infinity();
-  // This interval finds a mean of 1/4 standard deviation fastest, after about forty pairs.
+  // The mixing variance of 1/16 of the variance finds a mean of 1/4 standard deviation fastest, after about forty
+  // pairs.
   if (variance > 0.0) {
     half = statistics::mixture_half_width({difference_.count(), variance, variance / 16.0}, alpha_);
   }
@@ -149,7 +150,8 @@ Round Tournament::round(std::uint64_t first, std::uint64_t end) {
   out.job = [this, first](std::uint64_t index) { return job(plan_, calendar_.at(first + index)); };
   out.take = [this](std::uint64_t, const campaign::MatchResult* decided) { return take(decided); };
   out.may_end_early = !std::holds_alternative<FixedNumber>(objective_) || plan_.ended_after;
-  // A clock never stops a tournament in rounds, because its teams would have different numbers of matches.
+  // 0: no time limit (--until, --minutes) may stop a tournament in rounds (Swiss or knock-out). Otherwise some of its
+  // teams would have played more matches than others.
   out.matches_of_a_pair = calendar_.rounds() > 0 ? 0 : 2 * calendar_.pairings().size();
   out.first_of_pairing = [this, first](std::uint64_t index) {
     const Fixture fixture = calendar_.at(first + index);
@@ -273,7 +275,7 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::M
     finish_pair(meeting, decided);
   }
   first_of_pair_.reset();
-  // Teams are set aside only at the end of a pair, so that every pair is complete.
+  // A team is set aside (plays no more matches) only at the end of a pair, so that every pair is complete.
   for (const std::size_t team : {fixture.home, fixture.away}) {
     const Row& row = rows_[team];
     const int most = plan_.asked.failures_in_a_row;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The course of a tournament. The class Tournament takes the results in the order of the schedule, keeps the counts,
-// adds the results to the test, and decides when the tournament is over. The memory for each pairing is constant. The
-// class counts pairs, because the two matches of a pair are not independent.
+// The course of a tournament: what its results so far add up to. The class Tournament takes the results in the order of
+// the schedule, keeps the counts, adds the results to the test, and decides when the tournament is over. The memory for
+// each pairing is constant. The class counts pairs, because the two matches of a pair are not independent.
 //
 // A forfeit counts 0:10. The goal difference of a forfeit is limited to the largest possible difference of a match of
 // its length, so that a forfeit does not outweigh played matches. A pair with a forfeit has no metrics.

@@ -73,7 +73,8 @@ struct TournamentPlan {
   std::vector<Opening> openings;  // all scenes of the document; empty: matches start with kick-off
   int most_goals = 0;             // largest goal difference that a match can have, also a forfeit
   std::string pairs_before;       // values of pairs() before with_pairs() raised it: "100, 150"
-  // Set if a clock, not a result, stopped the tournament: the number of pairs that each pairing played until then.
+  // Set if a time limit (--until, --minutes), not a result, stopped the tournament: the number of pairs that each
+  // pairing played until then.
   std::optional<std::uint64_t> ended_after;
   std::string folder;                // absolute path of the folder in which the tournament began
   std::vector<std::string> plugins;  // folders of --plugins
@@ -81,7 +82,7 @@ struct TournamentPlan {
   std::vector<campaign::Input> common_inputs;
 
   std::vector<Pairing> pairings() const;  // all pairings that may meet
-  std::uint64_t pairs() const;            // largest number of pairs that each pairing plays, in rounds of each meeting
+  std::uint64_t pairs() const;            // most pairs that each pairing (Swiss, knock-out: each meeting) plays
   std::uint64_t rounds() const;           // 0: the schedule does not depend on results
   std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs()); }
   bool ends_by_the_clock_alone() const;  // true if the user set neither pairs nor a test
@@ -109,10 +110,11 @@ inline constexpr std::uint64_t most_pairs = 10'000'000;
 // std::invalid_argument also for a sequential test, because the test's error rates hold only for the planned number.
 TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs);
 
-// A copy of the plan without `ended_after`: a study that a clock stopped continues until all pairs are played.
+// A copy of the plan without `ended_after`: a study that a time limit stopped continues until all pairs are played.
 TournamentPlan without_end(TournamentPlan plan);
 
-// Returns the document. Without pairs and test, it gets most_pairs pairs, so that only the clock ends the tournament.
+// Returns the document; if it has neither pairs nor a test, with most_pairs pairs, so that only a time limit (--until,
+// --minutes) ends the tournament.
 config::Node until_the_clock(const config::Node& document);
 
 // Convert a plan to JSON and back. Reading throws std::invalid_argument for a text that to_json() cannot have written.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Converts a behaviour's action to the command for the body. A robot walks straight and fast to a far target, sideways
-// to a near target, and around robots in the way. A robot never pushes other robots, because the rules punish pushing.
-// SI units, field frame.
+// Converts a behaviour's action to the command for the body. A robot walks straight and fast to a target that is
+// farther away than 0.7 m, in its final heading (perhaps sideways) to a nearer target, and around robots in the way. A
+// robot never pushes other robots, because the rules punish pushing. SI units, field frame.
 #pragma once
 
 #include <regista/abi.h>
@@ -48,10 +48,13 @@ class Obstacles {
   std::size_t count_ = 0;
 };
 
-// Returns Body::robots_near, goal posts, and those opponents and teammates that the world model places near the robot.
+// Returns what the robot must walk around: the robots in Body::robots_near, which it saw or touched in the last second;
+// the opponents and active teammates that its world model places within 1.5 m, teammates only if their position is
+// younger than 3 s; and, within 1.2 m of a goal line (measured along the field), the posts of that goal.
 Obstacles obstacles_around(const Body& body);
 
-// Returns the next point on the way from `from` to `to`: a point beside the first obstacle in the way, or `to` itself.
+// Returns the next point on the way from `from` to `to`: a point beside the first obstacle in the way; `to` itself if
+// no obstacle is in the way within the next 1.2 m.
 Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
 
 // Returns the next point on a way from `from` to `to` that avoids the side nets of the goals. Ways into and out of a
@@ -67,8 +70,9 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn);
 // Converts an action to a command. plugin::Behaviour must have checked the action. A robot that kicks does not walk.
 Command carry_out(const Body& body, const regista_action& action);
 
-// --- RobotMemory remembers robots of both teams for one second, so that this robot walks around them. The camera
-// misses every third robot or looks elsewhere, but a robot seen a second ago is usually still at its place.
+// --- RobotMemory remembers the robots of both teams that this robot saw within 2 m or touched, for one second, so that
+// it walks around them. The camera misses every third robot or looks elsewhere, but a robot seen a second ago is
+// usually still at its place.
 
 class RobotMemory {
  public:

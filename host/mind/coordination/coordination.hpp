@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Coordination runs the pipeline of the paper (Affinita et al. 2023): context -> tasks -> V -> filter and offset ->
-// utility estimation matrix -> Phi. Every robot runs its own pipeline. Each step fills some members of Decision.
+// Coordination runs the pipeline of the paper (Affinita et al. 2023): context -> tasks -> V (waypoints) -> filter and
+// offset of tasks -> utility estimation matrix -> Phi (the assignment of tasks to robots). Every robot runs its own
+// pipeline. Each step fills some members of Decision.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +37,7 @@ class NamedPoints {
   Vector2d ball_, ball_rest_;
 };
 
-// Returns the place of a task by a rule of the team's document.
+// Returns the position that a rule of the team's document gives to a task.
 Vector2d target_of(const config::TargetRule& rule, const NamedPoints& points);
 
 // Returns a view of rows x columns values, stored row by row, as a matrix for plugins.
@@ -79,9 +80,10 @@ struct ContextParts {  // The plugin instances of one context in one robot's min
   plugin::Sender sender;
 };
 
-// The two worlds of one decision, and the choice of a world for each step. The common world may count this robot as
-// inactive, for example if the robot has sent nothing for long. In the common world the robot would then get no task
-// and would not move. In this case every step uses the world `mine`.
+// The two worlds of one decision (world_model.hpp: `mine` is what this robot knows, `common` what packets told all
+// robots), and the choice of a world for each step. The common world may count this robot as inactive, for example if
+// it has sent nothing for Team::forget_teammate_after. In the common world the robot would then get no task and would
+// not move. In this case every step uses the world `mine`.
 class Worlds {
  public:
   Worlds(const DistributedWorldModel& mine, const DistributedWorldModel& common, int own_number)
@@ -104,7 +106,8 @@ class Worlds {
 
 // The results of all steps of one robot's decision, for later steps and recorders. Valid until the next decision.
 struct Decision {
-  // The sender's frame: `knowledge` is the world of the utilities. The spans point into Decision and the world model.
+  // The frame as the last step left it, for the sender plugin: `frame.knowledge` names the world in which the utilities
+  // were estimated. The spans point into Decision and the world model.
   regista_frame frame{};
   int context = -1;                    // index into Team::contexts; -1: no context's condition holds
   std::vector<regista_task> tasks;     // M: all tasks of the context
@@ -186,7 +189,8 @@ class EventDetector {
  public:
   explicit EventDetector(int own_number) : own_number_(own_number) {}
 
-  // `searching`: the robot's own role is to look for the ball. Replaces the content of `out`.
+  // Fills `out` with the events since the last call. Must be called once in each decision. `searching`: the robot's own
+  // role is to look for the ball.
   void detect(const Percepts& percepts, const WorldModel& world, const Decision& decision, bool searching,
               std::vector<regista_event>& out);
 

@@ -64,7 +64,7 @@ namespace {
 constexpr int games = 3000, moments = 4;  // number of games, and of moments in each game
 constexpr double unknown_after = 30.0;    // s without news of the ball, after which the ball is unknown
 
-// A made-up game. The conditions are called at a few moments of the game.
+// A made-up game. The conditions are called at 4 moments of the game.
 class SyntheticGame {
  public:
   SyntheticGame(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), dice_(&dice) {

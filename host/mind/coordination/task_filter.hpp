@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // TaskFilter reduces M tasks to N (Affinita et al. 2023): "the filtering process for the N out of M tasks is done
-// through the proximity of the tasks to the nodes". WaypointMatching and offset() move the N tasks towards nodes.
+// through the proximity of the tasks to the nodes". WaypointMatching and offset() move the N tasks towards nodes. The
+// nodes are waypoints here, which a positioner plugin makes.
 #pragma once
 
 #include <cstddef>
@@ -39,11 +40,13 @@ struct FilterRule {
   bool all = false;         // true: keep() keeps every task, except tasks bound to an inactive robot
 };
 
-// keep() keeps no more tasks than there are active robots. `active`: numbers of the active robots, ascending. `played`:
-// ids of the tasks that active robots play by the world model. keep() takes first tasks bound to an active robot, then
-// required tasks, then the tasks nearest to a waypoint (their own waypoint or a free waypoint). If the context has no
-// waypoints, keep() takes the first tasks. It never keeps a task bound to an inactive robot. The filter has no memory,
-// so robots with equal worlds keep equal tasks. kept: ascending indices of `tasks`.
+// keep() keeps at most as many tasks as there are active robots, or every task if rule.all is true; never a task bound
+// to an inactive robot. It prefers tasks bound to an active robot, then required tasks, then tasks near their waypoint:
+// the waypoint that belongs to the task or, if there is none, the nearest waypoint that belongs to no task and no
+// robot. A task without any such waypoint counts as at distance 0. Of equally near tasks, the earlier is preferred. The
+// filter has no memory, so robots with equal worlds keep equal tasks.
+// active: numbers of the active robots, ascending. played: ids of the tasks that, according to the robot's world model,
+// active robots play now; such a task counts as nearer by rule.hysteresis. kept: ascending indices of `tasks`.
 class TaskFilter {
  public:
   TaskFilter(std::size_t most_tasks, std::size_t most_waypoints);
@@ -69,7 +72,7 @@ class TaskFilter {
 // index in the context. Changes nothing if no waypoint belongs to the task.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
 
-// Moves the task like offset(), but towards the waypoint that belongs to robot `number`. The robot has taken the task.
+// Moves the task like offset(), but towards the waypoint that belongs to robot `number`, which has taken the task.
 void offset_to_own(regista_task& task, int number, std::span<const regista_waypoint> waypoints, double at_most);
 
 // Matches each task with a different node. Affinita et al. 2023 move tasks by "applying offsets to the tasks in their

@@ -47,9 +47,9 @@ class Dice {
   std::mt19937_64 random_;
 };
 
-// Fills a world: robots and ball are known and anywhere on the field, robots have roles of `list`, the ball is in play.
-// own: number of the robot that has this world. out_of_play: number of a penalised robot; 0: none. Does not call
-// close().
+// Fills a world: robots and ball are known and anywhere on the field, robots have roles of the role list number `list`,
+// the ball is in play. scene: another number gives each robot another role. own: number of the robot that has this
+// world. out_of_play: number of a penalised robot; 0: none. The caller must then call world.close().
 void make_up(DistributedWorldModel& world, const TeamPlan& plan, int list, int scene, double time, int own,
              int out_of_play, Dice& dice);
 
@@ -63,8 +63,8 @@ struct ContextFinding {
   int covered_by = -1;  // index of the first earlier context that held in all scenes in which this one held; -1: none
 };
 
-// [set play, from the kick-off on][Ready, Set, Playing]: in some scene, the context in force was not the one of open
-// play.
+// Element [set play, from the kick-off on][Ready, Set, Playing]: true if in some scene the set play had another context
+// in force than open play has in the same scene.
 using SetPlayContexts = std::array<std::array<bool, 3>, REGISTA_SET_PLAY_PENALTY_KICK>;
 
 struct ContextFindings {
@@ -98,8 +98,8 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::CallTrac
 std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std::vector<bool>& idle,
                                                 const std::vector<bool>& without_waypoints);
 
-// --- Segments that are too long for every packet. The search lets the whole team decide and exchange packets for some
-// seconds of a made-up kick-off. It does not find too long segments that a plugin offers at another time.
+// --- Segments that are too long for every packet. The search lets the whole team decide and exchange packets for the
+// first 3 s after a made-up kick-off. It does not find too long segments that a plugin offers at another time.
 
 struct UnsendableSegment {
   std::size_t part = 0;     // index of the plugin's first part in TeamPlan::parts()

@@ -44,7 +44,7 @@ class InstanceExtensions {
   Extensions* owner_;
   const plugin::Found* plugin_;
   std::span<const int> metrics_;  // the plugin's metrics: indices into TeamPlan::metrics()
-  int place_;                     // place of the instance in the robot's mind
+  int place_;                     // place of the instance in the robot's mind (see mailboxes.hpp)
   LogUse log_use_;
   DrawUse draw_use_;
   regista_log log_{};

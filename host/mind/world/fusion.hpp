@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions that pair tracks of the same robot or ball, and that fuse estimates of one object (f of the paper).
+// Functions that pair tracks of the same robot or ball, and that fuse estimates of one object (f of the paper). A track
+// (regista_track) is the estimate that a predictor makes of one robot or ball.
 //
 // Tracks are paired by the squared Mahalanobis distance: the nearest pair first, each track at most once. Robots use
 // equal models and see the same ball, so the errors of their estimates are correlated to an unknown degree. A product
@@ -20,10 +21,12 @@
 
 namespace regista::mind {
 
-// --- delta of the paper for one object class of OLM_j (Affinita et al. 2023): "merges the OLM of the previous step
-// with any received event". A received track replaces the known track of the same object, because a fusion of the two
-// tracks would count the same sightings twice. Other known tracks are dropped, unless a track may be too old for the
-// packet or the packet had no room. A kept track loses weight if the sender's camera may have seen no object there.
+// --- delta of the paper (Affinita et al. 2023) for the balls or the opponents of OLM_j, the model of what robot j
+// knows, which is made from its packets: "merges the OLM of the previous step with any received event". A received
+// track replaces the known track of the same object, because a fusion of the two tracks would count the same sightings
+// twice. Other known tracks are dropped, unless a track may be too old for the packet or the packet had no room. A
+// track that is kept loses weight if the sender may have looked at its place, because the sender then saw no object
+// there.
 
 // What the sender of a packet may have seen lately, and which tracks its packets contain. Field frame.
 struct SenderView {
@@ -51,8 +54,9 @@ struct SeenTeammate {
 };
 
 // Pairs tracks with active robots other than `own`, and appends the pairs to `out`. The pair with the least squared
-// Mahalanobis distance of the positions comes first; each track and robot is paired at most once. Pairs beyond the 99 %
-// gate, and tracks that fit two robots about equally well, are left out.
+// Mahalanobis distance of the positions comes first; each track and robot is paired at most once. Left out are pairs
+// whose squared distance exceeds 9.21 (99 % of true pairs are nearer) and tracks that fit two robots about equally well
+// (squared distances that differ by less than 4).
 void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
                      std::vector<SeenTeammate>& out);
 
@@ -130,9 +134,10 @@ struct Estimate {
   int source;
 };
 
-// Fuses the most certain estimate of the ball with the estimates that do not contradict this estimate. The variance of
-// an old estimate is increased, because a robot may have moved the ball since the sighting. The result has the age of
-// the youngest fused estimate. Estimates of weight 0 are ignored. Without estimates the ball is unknown (flags 0).
+// Fuses the most certain estimate of the ball with the estimates that do not contradict it (whose squared Mahalanobis
+// distance from it is at most 9.21: 99 % of true pairs are nearer). The variance of an old estimate is increased,
+// because a robot may have moved the ball since the sighting. The result has the age of the youngest fused estimate.
+// Estimates of weight 0 are ignored. Without estimates the ball is unknown (flags 0).
 regista_ball fuse_ball(std::span<const Estimate> estimates);
 
 // Fuses the opponents of several sources. Two estimates of different sources belong to the same robot if they are
@@ -172,7 +177,8 @@ class NegativeInformation {
   // of this robot's pose. `dt`: time since the last call, s.
   void look(std::span<const Estimate> balls, const Frame2& own, const Percepts& percepts, double dt);
 
-  // Returns whether the camera has looked long enough at the current estimate of `source` without seeing a ball.
+  // Returns whether the camera has looked at the current estimate of `source` for more than 0.55 s without seeing a
+  // ball.
   bool refutes(int source) const { return sources_[static_cast<std::size_t>(source)].in_vain > enough; }
 
  private:

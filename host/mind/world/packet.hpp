@@ -2,7 +2,8 @@
 // Report is the content of a packet from one robot to its teammates (the paper's received event e). encode() and
 // decode() convert a Report to and from bytes. The core takes 24 bytes, the ball 11 and each opponent 4. Numbers are in
 // fixed point, little endian, so that all robots read equal numbers. The rest of a packet is for segments of plugins
-// (mailbox). SegmentJournal records what happens to segments.
+// (mailbox). SegmentJournal records what happens to segments. The fields below are written as NAME UNIT:BITS; flags and
+// deviations (cm; 0.01 rad) have one byte each.
 //
 // core:     version:3 sender:5 | flags | time ms:24 | x y mm:16 | heading:16 | deviations | vx vy cm/s:8 | target mm:16
 //           | role:8 | role since ds:16 (at most 109 min) | context:8 | time until up ds:8

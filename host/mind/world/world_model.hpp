@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// WorldModel contains all beliefs of a robot: LM and all OLM_j of Affinita et al. 2023, and two distributed world
-// models (DWM), which f computes from LM and OLM_j. The world `mine` fuses LM with the teammates' models. The world
-// `common` fuses only packets, also the robot's own, so robots that heard the same packets have equal common worlds.
+// WorldModel contains all beliefs of a robot. As in Affinita et al. 2023: LM (LocalModel: its own sensing), OLM_j for
+// each robot j (TeamModel: what the packets of j told), and two distributed world models (DWM), which f computes from
+// LM and OLM_j. The world `mine` fuses LM with the teammates' models. The world `common` fuses only packets, also the
+// robot's own, so robots that heard the same packets have equal common worlds.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ regista_span abi_span(const std::vector<T>& list) {
   return {list.data(), static_cast<std::uint32_t>(list.size()), sizeof(T)};
 }
 
-// DWM of the paper: one consistent picture of the game. Plugins see `raw`; the other members are its memory.
+// DWM of the paper: one consistent picture of the game. Plugins see `raw`, which points into the other members.
 class DistributedWorldModel {
  public:
   explicit DistributedWorldModel(int team_size) : robots(static_cast<std::size_t>(team_size)) {

@@ -105,7 +105,8 @@ struct Evaluation {
   std::array<AtHorizon, horizon_count> horizons;
 };
 
-// done: number of stretches that were evaluated. of: number of all stretches. May throw to stop the evaluation.
+// done: number of stretches (parts of the recording without cuts) that were evaluated. of: number of all stretches. May
+// throw to stop the evaluation.
 using EvaluationProgress = std::function<void(std::size_t done, std::size_t of)>;
 
 // catalogue: null evaluates only the baselines. Throws config::Error, plugin::Failure.

@@ -17,9 +17,10 @@
 
 namespace regista::study {
 
-// Returns for every sample of the stretch whether the predictor gets it. Each object has at most one observation in
-// `every` seconds, as in a team's packets. Each observation is lost with probability `drop`. The draw depends on (seed,
-// stretch, object, sample number): Philox4x32 of Salmon et al., "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011.
+// Returns for every sample of the stretch (a part of a recording without cuts) whether the predictor gets it. Each
+// object has at most one observation in `every` seconds, as in a team's packets. Each observation is lost with
+// probability `drop`. The draw depends on (seed, stretch, object, sample number): Philox4x32 of Salmon et al.,
+// "Parallel Random Numbers: As Easy as 1, 2, 3", SC 2011.
 std::vector<bool> shown(const Stretch& stretch, const config::PredictorStudy::Observations& observations);
 
 // The predicted distribution of an object's place, m and m^2.

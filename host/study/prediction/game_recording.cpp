@@ -34,12 +34,15 @@ std::filesystem::path referee_file(const std::filesystem::path& data) {
                       "with --referee FILE");
 }
 
-// The stretches of a table. The lines of an event must follow each other, ordered by time.
+// Divides the lines of a table into stretches: parts of a match without cuts, one for each number in the column
+// `event`. The lines of a stretch must follow each other, ordered by time.
 class Stretches {
  public:
   Stretches(const Table& table, std::size_t event, std::size_t time) : table_(table), event_(event), time_(time) {}
 
-  // The stretch of the current line, and the line's time.
+  // Returns the stretch (the part of the match without cuts that has the event number of the current line) and the
+  // line's time. Begins a new stretch if the number differs from the last line's. Refuses a number that comes back, and
+  // a time before the last line's.
   std::pair<Stretch*, double> of_line() {
     const int number = static_cast<int>(table_.count(event_, most_numbered));
     const double time = table_.number(time_);

@@ -49,7 +49,8 @@ class PairBatch {
   bool take(const campaign::MatchResult& decided, ForfeitList& forfeits, MatchRemarks& remarks);
 
   std::uint64_t pairs() const { return pairs_done_; }
-  // For each pair, the score (head-to-head: minus the base team's score); NaN without a score, e.g. after a forfeit.
+  // For each pair, the score of the candidate or, if it plays the base team (head to head), its score minus the base
+  // team's. NaN without a score, for example after a forfeit.
   const std::vector<double>& scores(std::size_t candidate) const { return scores_[candidate]; }
   // For each pair, whether the score is missing because a match could not be played.
   const std::vector<bool>& unplayed(std::size_t candidate) const { return unplayed_[candidate]; }

@@ -42,7 +42,9 @@ class PairEvaluation {
   PairEvaluation(const MatchSource& source, std::uint64_t pairs, std::vector<SearchStep>& steps)
       : source_(source), pairs_(pairs), steps_(steps) {}
 
-  // The numbers that the search gets for points that play the same set of pairs.
+  // Returns the number that the search gets for each of `points`, and adds a step for each. Plays matches only for
+  // points without a score on this set of pairs. set: Question::pairs, the number of the pairs that all these points
+  // play.
   std::vector<double> of(const std::vector<ParameterValues>& points, std::uint64_t set) {
     std::vector<ParameterValues> fresh;
     for (const ParameterValues& each : points) {
@@ -88,7 +90,7 @@ class PairEvaluation {
   std::vector<SearchStep>& steps_;
 };
 
-// start: where the search begins.
+// Returns the settings of the search. start: the values at which the search begins.
 SearchSettings search_settings(const TuningPlan& plan, const ParameterValues& start) {
   SearchSettings out;
   out.start = point_of(plan, start);
@@ -205,7 +207,8 @@ OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::opti
   const double most = plan.asked.search.minutes ? 60.0 * *plan.asked.search.minutes : HUGE_VAL;
   return [&store, most, end_of_time, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-    // The search repeats an earlier run from stored results, which takes no time, so the clock does not stop it here.
+    // The search repeats an earlier run from stored results, which takes no time, so the time limit does not stop it
+    // here.
     if (evaluations < before.evaluations) return false;
     if (!began) began = Clock::now();
     const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();

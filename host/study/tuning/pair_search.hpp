@@ -72,12 +72,13 @@ SearchFindings search_over_pairs(const MatchSource& source, const OutOfTime& out
 // --- The wall time of a search. Neither the plan nor the results determine how many points fit into this time. So the
 // results file stores after which point the search ended, and every reader of the file ends the search at this point.
 
-// The clock of a search that is played now. The clock adds this run's time to the time of earlier runs and stores the
-// sum. end_of_time: latest end of this run. If the store already holds the end of the search, returns
+// The time limit of a search that is played now. The function adds this run's time to the time of earlier runs and
+// stores the sum. end_of_time: latest end of this run. If the store already holds the end of the search, returns
 // stored_end_of_search(). The store must outlive the function. Throws campaign::StoreError.
 OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::optional<campaign::Moment> end_of_time);
 
-// The clock of a search that is read back: it ends the search at the stored point. Throws campaign::StoreError.
+// The time limit of a search that is read back: the function ends the search at the stored point. Throws
+// campaign::StoreError.
 OutOfTime stored_end_of_search(const campaign::Store& store);
 
 }  // namespace regista::study

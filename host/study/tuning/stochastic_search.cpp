@@ -80,7 +80,8 @@ double RunningScale::scaled(double difference) {
     ++others_;
   }
   double scale = std::sqrt(squares_ / static_cast<double>(std::max<std::size_t>(others_, 1)));
-  // The scale is 0 if there are few differences so far, or nearly all differences are 0.
+  // The scale is 0 after the first difference, and while all differences except the largest twentieth are 0. The
+  // largest difference then is the scale.
   if (scale == 0.0) scale = std::sqrt(*std::max_element(largest_.begin(), largest_.end()));
   return scale == 0.0 ? 0.0 : std::clamp(difference / scale, -most, most);
 }

@@ -141,7 +141,7 @@ class TunedDocument {
   std::vector<Place> places_;  // last place first, so that a replacement does not move the places before it
 };
 
-// The settings "path=value" of all parameters.
+// Returns a setting "path=value" for each parameter of the plan, with these values.
 std::vector<std::string> settings_of(const TuningPlan& plan, const ParameterValues& values);
 
 // score_of(): the objective's value, negated if the objective is minimised: larger is better. value_of(): the inverse.

@@ -45,7 +45,7 @@ class TuningPlanner {
     complete(plan_);
   }
 
-  // Returns an incomplete plan if there are mistakes.
+  // Makes the plan of the document. The plan is incomplete if there are mistakes.
   TuningPlan planned() {
     mistakes_.attempt("search", [&] { require_algorithm(); });
     mistakes_.attempt("set", [&] { require_present_names(plan_.asked.settings.set, "set"); });

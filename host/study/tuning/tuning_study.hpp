@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A tuning is a study, and each of its batches of matches is a round. Its stages are: search (pair_search.hpp),
 // selection of the best points on other seeds, verification against the base team on held-out seeds, and slices around
-// the tuned point. The course depends only on the plan and the results. The number of workers does not change the
-// course, and the same course results from matches that are played or read from a file.
+// the tuned point. All stages depend only on the plan and the results: neither the number of workers nor reading the
+// matches from a file instead of playing them changes anything.
 #pragma once
 
 #include <array>
@@ -88,9 +88,9 @@ class Verification {
   Verification(std::size_t candidates, double confidence, double deviation, std::optional<double> widest = {},
                std::optional<double> bound = {});
 
-  // Adds the scores of a pair. A match without a score gives NaN, and the candidate's pair is then left out.
-  // Head-to-head, the scores are differences already, and `base` is 0. unplayed: by candidate, whether its pair or the
-  // base team's pair could not be played; empty: all pairs were played.
+  // Adds the scores of a pair. A match without a score gives NaN, and the candidate's pair is then left out. If
+  // candidates play the base team (head to head), the scores are differences already, and `base` is 0. unplayed: by
+  // candidate, whether its pair or the base team's pair could not be played; empty: all pairs were played.
   void add(double base, std::span<const double> candidates, const std::vector<bool>& unplayed = {});
 
   std::uint64_t pairs() const { return pairs_; }
