@@ -108,7 +108,7 @@ TEST(Team, OverridesReachEverything) {
   EXPECT_EQ(team.contexts[1].name, "search");
   EXPECT_EQ(team.contexts[1].role_list, 0);
   EXPECT_EQ(team.contexts[1].sender.params["period"].text(), "7");
-  EXPECT_EQ(team.role_lists[0].roles[1].robot, 9);
+  EXPECT_EQ(team.role_lists[0].roles[1].robots, std::vector{9});
   EXPECT_EQ(team.role_lists[0].roles.size(), 4u);
   EXPECT_EQ(team.role_lists[1].roles[1].target.at->anchor, Anchor::centre);
   ASSERT_EQ(team.contexts[0].terms.size(), 3u);

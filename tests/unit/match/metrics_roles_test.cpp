@@ -63,7 +63,8 @@ TEST_F(Coordination, PenalisedRobotsHoldNothingAndWantNothing) {
 }
 
 TEST(CoordinationOfFew, OneOfTheRobotsOfARoleIsEnoughToWantIt) {
-  RoleMeasures measures(3, {{"goalkeeper", "playing", 0, {1, 2, 99}, 2}, {"striker", "playing", 1}});
+  const std::vector<Role> roles{{"goalkeeper", "playing", 0, {1, 2, 99}, 2}, {"striker", "playing", 1}};
+  RoleMeasures measures(3, roles);
   measures.decided(3, 1, {}, true);
   const auto uncovered_after = [&](std::uint32_t active) {
     const double before = measures.result(0.0).roles[0].all.uncovered_seconds;

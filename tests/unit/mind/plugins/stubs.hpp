@@ -145,7 +145,7 @@ struct Window {
 // Holds in a set play of this number, in phases up to this one.
 struct InSetPlay {
   static constexpr auto id = "in_set_play", version = "1.0.0", summary = "Holds in set plays";
-  std::int64_t set_play = 0, last_phase = REGISTA_PHASE_PLAYING;
+  int set_play = 0, last_phase = REGISTA_PHASE_PLAYING;
   static constexpr std::tuple parameters{
       regista::integer("set_play", &InSetPlay::set_play, {0, 6}, "1", "0: any"),
       regista::integer("last_phase", &InSetPlay::last_phase, {1, 3}, "1", "As in the ABI")};
