@@ -54,7 +54,7 @@ test("a recording is read as it was written", () => {
 
 test("overlap and uncovered are counted as the definition says", () => {
   for (const side of [0, 1] as const) {
-    for (const [role, { list, priority, robot }] of match.about.teams[side].roles.entries()) {
+    for (const [role, { list, priority, robots, leastInPlay }] of match.about.teams[side].roles.entries()) {
       let overlap = 0;
       let uncovered = 0;
       for (const time of samples) {
@@ -68,7 +68,8 @@ test("overlap and uncovered are counted as the definition says", () => {
           (name) => active.filter(({ held }) => match.about.teams[side].roles[held]?.list === name).length,
         );
         const inForce = lists[0] === 0 && lists[1] === 0 ? "" : lists[0]! >= lists[1]! ? "playing" : "searching";
-        const may = robot === 0 || active.some(({ n }) => n === robot);
+        const may =
+          leastInPlay <= active.length && (robots.length === 0 || active.some(({ n }) => robots.includes(n)));
         if (holders === 0 && list === inForce && priority < active.length && may) ++uncovered;
       }
       assert.equal(match.courses[side].sums[role]!.overlap.toFixed(1), (overlap / 10).toFixed(1), `${side} ${role}`);

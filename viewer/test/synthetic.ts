@@ -273,14 +273,20 @@ function belief(side: 0 | 1, robot: number, time: number): Json {
 }
 
 export function metadata(teams: [string, string] = ["blue", "red"]): Record<string, string> {
-  const role = (name: string, list: string, priority: number, robot = 0) => ({ name, list, priority, robot });
-  const team = (name: string) =>
-    JSON.stringify({
-      team: name,
+  // Home's goalkeeper has a second choice, and is left out by one robot alone. Away is as earlier versions wrote it: one
+  // robot, and no title.
+  const team = (name: string, side: 0 | 1) => {
+    const role = (name: string, list: string, priority: number, robots: number[] = []) =>
+      side === 0
+        ? { name, list, priority, robots, least_in_play: robots.length > 0 ? 2 : 1 }
+        : { name, list, priority, robot: robots[0] ?? 0 };
+    return JSON.stringify({
+      team: side === 0 ? "a_word" : name,
+      ...(side === 0 ? { title: name } : {}),
       file: `configs/${name}.yaml`,
       robot_radius: 0.15,
       roles: [
-        role("goalkeeper", "playing", 0, 1),
+        role("goalkeeper", "playing", 0, [1, 2]),
         ...tables.map((t, i) => role(t, "playing", i + 1)),
         role("searcher", "searching", 0),
       ],
@@ -316,6 +322,7 @@ export function metadata(teams: [string, string] = ["blue", "red"]): Record<stri
         },
       ],
     });
+  };
   return {
     format: "1",
     program: "regista test",
@@ -337,8 +344,8 @@ export function metadata(teams: [string, string] = ["blue", "red"]): Record<stri
     ball_radius: "0.05",
     packet_budget: "100",
     half_seconds: "600",
-    home: team(teams[0]),
-    away: team(teams[1]),
+    home: team(teams[0], 0),
+    away: team(teams[1], 1),
   };
 }
 
