@@ -28,8 +28,19 @@ namespace {
 constexpr std::array<std::string_view, 7> names{
     "home", "away", "rules", "robot", "home_disturbance", "away_disturbance", "opening"};
 
+// What a user calls the documents of the two sides. Studies call them by side, because their teams change sides.
+struct SideName {
+  std::string_view letter, document;
+};
+constexpr std::array<SideName, 4> sides{
+    {{"a", "home"}, {"b", "away"}, {"a_disturbance", "home_disturbance"}, {"b_disturbance", "away_disturbance"}}};
+
+std::string_view first_part(std::string_view path) { return path.substr(0, path.find('.')); }
+
 // Returns whether `part`, the first part of a path, names this document.
 bool is_for(std::string_view part, std::string_view document) {
+  const auto by_letter = std::ranges::find(sides, part, &SideName::letter);
+  if (by_letter != sides.end()) return by_letter->document == document;
   return part == document || (part == "disturbance" && document.ends_with("_disturbance"));
 }
 
@@ -100,7 +111,7 @@ TeamSetup team_of(const ReadTeam& read_team, const MatchRequest& request, match:
     return read_team(request.teams[match::index(side)], overrides_for(name, request.overrides), rules, robot);
   } catch (const config::Error& error) {
     const auto is_blamed = [&](const config::Override& each) {
-      return each.where.line == 0 && each.where == error.where() && !each.path.starts_with(name + '.');
+      return each.where.line == 0 && each.where == error.where() && !is_for(first_part(each.path), name);
     };
     if (std::ranges::none_of(request.overrides, is_blamed)) throw;
     throw config::Error(error.where(), name + " team: " + error.message());
@@ -135,39 +146,15 @@ config::Overrides overrides_for(std::string_view document, const config::Overrid
   return out;
 }
 
-namespace {
-
-struct SideName {
-  std::string_view letter, side;
-};
-constexpr std::array<SideName, 4> side_names{
-    {{"a", "home"}, {"b", "away"}, {"a_disturbance", "home_disturbance"}, {"b_disturbance", "away_disturbance"}}};
-
-// Replaces the first part of a path if it is the member `from` of a name.
-void replace_first_part(std::string& path, std::string_view SideName::*from, std::string_view SideName::*to) {
-  const std::string_view first = std::string_view(path).substr(0, path.find('.'));
-  const auto found = std::ranges::find(side_names, first, from);
-  if (found != side_names.end()) path.replace(0, first.size(), (*found).*to);
-}
-
-}  // namespace
-
-config::Overrides by_side(config::Overrides typed) {
-  for (config::Override& each : typed) {
-    std::string written = each.path;
-    replace_first_part(written, &SideName::side, &SideName::letter);
-    if (written != each.path) {
-      throw config::Error(each.where,
-                          "the first team, at home, is called a and the second b, as in all commands: " + written);
-    }
-    replace_first_part(each.path, &SideName::letter, &SideName::side);
+void refuse_former_sides(const config::Overrides& typed) {
+  for (const config::Override& each : typed) {
+    const std::string_view first = first_part(each.path);
+    const auto former = std::ranges::find(sides, first, &SideName::document);
+    if (former == sides.end()) continue;
+    throw config::Error(each.where,
+                        fmt::format("the first team, at home, is called a and the second b, as in all commands: {}{}",
+                                    former->letter, each.path.substr(first.size())));
   }
-  return typed;
-}
-
-std::vector<std::string> by_letter(std::vector<std::string> overrides) {
-  for (std::string& each : overrides) replace_first_part(each, &SideName::side, &SideName::letter);
-  return overrides;
 }
 
 TeamSetup team_setup(const std::string& file, const config::Overrides& overrides, const config::Rules& rules,

@@ -29,12 +29,9 @@ namespace regista::campaign {
 // sides), home_disturbance, away_disturbance or opening. A path without such a part goes to both teams.
 config::Overrides overrides_for(std::string_view document, const config::Overrides& all);
 
-// Translates the paths of `--set` of a match to those of overrides_for(). A user calls the teams by letters in every
-// command: a is the first team, here at home, and b the second, here away. Throws config::Error for home and away.
-config::Overrides by_side(config::Overrides typed);
-
-// Translates back, for people: "home.sender.params.period=4" becomes "a.sender.params.period=4".
-std::vector<std::string> by_letter(std::vector<std::string> overrides);
+// Throws config::Error for a path of `--set` that begins with home or away, as in version 0.2. Stored matches may have
+// such paths.
+void refuse_former_sides(const config::Overrides& typed);
 
 struct MatchRequest {
   std::vector<std::string> teams;         // files: home, away

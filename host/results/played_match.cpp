@@ -164,7 +164,7 @@ report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::M
                             report::profile_of(inputs.common, side == 0 ? "home disturbance" : "away disturbance",
                                                file_of(own.empty() ? job.disturbance : own))));
   }
-  out.set = campaign::by_letter(job.overrides);
+  out.set = job.overrides;
   out.amount = fmt::format("seed {}", job.seed);
   out.limits.clear();
   out.program = REGISTA_VERSION;

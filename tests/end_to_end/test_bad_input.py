@@ -213,7 +213,7 @@ class Teams(BadInput):
 
     def test_unknown_key(self):
         self.assert_team_refused("assigner:", "asigner:",
-                                 'unknown key "asigner"; nearest: "assigner"; known: team, predictors, contexts, '
+                                 'unknown key "asigner"; nearest: "assigner"; known: team, title, predictors, contexts, '
                                  "positioner, tasks, utility, assigner, sender, roles, behaviours, behaviour_without_role, "
                                  "teammates_forgotten_after")
 

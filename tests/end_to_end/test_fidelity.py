@@ -36,7 +36,7 @@ class Fidelity(program.ShippedCase):
                 continue
             path = off.strip("`")
             if not path.startswith("rules."):
-                path = "home." + path
+                path = "a." + path
             self.assertNotEqual(self.state_hash("--set", path), with_all, element)
             played += 1
         self.assertGreater(played, 20)

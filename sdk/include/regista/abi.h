@@ -282,14 +282,12 @@ enum {
   REGISTA_TASK_ALONG_EDGES = 2       /* the team wants robots to walk to it along the edges of the frame */
 };
 
-enum { REGISTA_NO_ROBOT = -1 };
-
 /* A role of the current context, with the place where it is to be played. */
 typedef struct regista_task {
   int32_t id;                        /* row of the table of roles: stable through the match */
   int32_t priority;                  /* 0 is the most important */
   int32_t group;                     /* tasks of one group exclude each other for an auction by groups; -1 = none */
-  int32_t robot;                     /* shirt number that alone may take it, 0 = any, REGISTA_NO_ROBOT = nobody now */
+  int32_t robot;                     /* shirt number that alone may take it, 0 = any, -1 = nobody now */
   uint32_t flags;
   uint32_t reserved;
   double before[3];                  /* pose as the role's rule gives it */

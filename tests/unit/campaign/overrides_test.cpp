@@ -37,13 +37,15 @@ TEST(Overrides, GoWhereTheirFirstPartSays) {
 }
 
 TEST(Overrides, TeamsAreCalledByLettersInAMatchToo) {
-  List out;
-  for (const config::Override& each : by_side({"a.sender.params.reserve=20", "b_disturbance.radio.loss=1", "x.y=2"}))
-    out.push_back(to_string(each));
-  EXPECT_EQ(out, (List{"home.sender.params.reserve=20", "away_disturbance.radio.loss=1", "x.y=2"}));
-  EXPECT_EQ(by_letter(out), (List{"a.sender.params.reserve=20", "b_disturbance.radio.loss=1", "x.y=2"}));
+  const config::Overrides all{"a.team=x", "b.team=y", "b_disturbance.radio.loss=1", "a_disturbance.radio.delay=2",
+                              "k=v"};
+  EXPECT_EQ(of(all, "home"), (List{"team=x", "k=v"}));
+  EXPECT_EQ(of(all, "away"), (List{"team=y", "k=v"}));
+  EXPECT_EQ(of(all, "home_disturbance"), List{"radio.delay=2"});
+  EXPECT_EQ(of(all, "away_disturbance"), List{"radio.loss=1"});
+  EXPECT_NO_THROW(refuse_former_sides(all));
   try {
-    by_side({"away.tasks.keep=all"});
+    refuse_former_sides({"away.tasks.keep=all"});
     FAIL() << "version 0.2 called it so";
   } catch (const config::Error& error) {
     EXPECT_STREQ(

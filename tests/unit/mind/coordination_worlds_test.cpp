@@ -194,7 +194,7 @@ TEST_F(CoordinationTest, ARoleIsOpenToEnoughRobots) {
   make(page, 1, of_one);
   ScriptedAssigner::hook = [](const Frame&, UtilityMatrix, Assignment out) { out[0] = 0; };
   const Decision& alone = decide(1.0, {});
-  EXPECT_EQ(alone.tasks[0].robot, REGISTA_NO_ROBOT);
+  EXPECT_EQ(alone.tasks[0].robot, -1);
   EXPECT_EQ(alone.own_role, 1) << "the striker";
 }
 
