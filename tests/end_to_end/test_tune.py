@@ -155,7 +155,7 @@ class Played(Tuning):
             self.assertEqual(match["state_hash"], hashed)
         self.assertGreater(told, 0)
         # The file, and the values as settings, make the same robots do the same.
-        settings = [f"home.{each['path']}={each['tuned']!r}" for each in report["tuned"]["values"]]
+        settings = [f"a.{each['path']}={each['tuned']!r}" for each in report["tuned"]["values"]]
         words = [word for each in settings for word in ("--set", each)]
         scene = ("--opening", "scenes/left.yaml", "--seed", "11", "--json")
         by_file = json.loads(self.succeed("match", "trial.tuned.yaml", "other.yaml", *scene))
