@@ -96,7 +96,8 @@ std::size_t drawn_opening(std::uint64_t seed, std::size_t openings) {
 void require_present_names(const config::Node& set, const std::string& what) {
   for (const config::Node::Entry& entry : set.entries()) {
     const std::string now = present_path(entry.key);
-    if (first_part(entry.key) == "a" || now == entry.key) continue;
+    const bool whole_document = first_part(entry.key) == entry.key;  // settings_of() refuses it
+    if (first_part(entry.key) == "a" || whole_document || now == entry.key) continue;
     throw config::Error(entry.key_where,
                         fmt::format("{}: {}: the study's own team is called a and the other b, as in all commands: {}",
                                     what, entry.key, now));

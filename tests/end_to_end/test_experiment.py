@@ -282,7 +282,7 @@ class BadInput(experiment.Experiment):
 
     def test_paths_that_are_unknown(self):
         line = self.refusal("sweep: {path: a_disturbance.radio.los, values: [0, 1]}\n")
-        self.assertRegex(line, r"e\.yaml:\d+:\d+: disturbance\.radio\.los: .*nearest: \"loss\"")
+        self.assertRegex(line, r"e\.yaml:\d+:\d+: a_disturbance\.radio\.los: .*nearest: \"loss\"")
         line = self.refusal(changes=[("team: other.yaml}", "team: other.yaml, set: {utility.terms.near.wieght: 1}}")])
         self.assertRegex(line, r"e\.yaml:5:\d+: utility\.terms\.near\.wieght: .*nearest: \"weight\"")
         line = self.refusal("sweep: {path: b.utility.terms.near.weigth, values: [1]}\n")
@@ -319,9 +319,11 @@ class BadInput(experiment.Experiment):
              r"e\.yaml:\d+:\d+: primary\.compare: the same two arms a second time"),
             ("sweep: {path: a_disturbance.radio.loss, values: [0, 0.5]}\n",
              [("team: other.yaml}", "team: other.yaml, set: {a_disturbance.radio: {loss: 0.1}}}")],
-             r"e\.yaml:5:\d+: disturbance\.radio: the sweep sets disturbance\.radio\.loss in every arm"),
+             r"e\.yaml:5:\d+: a_disturbance\.radio: the sweep sets a_disturbance\.radio\.loss in every arm"),
             ("sweep: {path: opponent, values: [worse.yaml, small.yaml]}\n", [],
-             r"e\.yaml:\d+:\d+: sweep: opponent: expected a path inside it, as in `opponent\.sender\.plugin`"),
+             r"e\.yaml:\d+:\d+: sweep: opponent: expected a path inside it, as in `b\.sender\.plugin`"),
+            ("sweep: {path: opponent.sender.plugin, values: [a, b]}\n", [],
+             r"sweep: opponent\.sender\.plugin: the study's own team is called a and the other b, as in all commands: b\.sender"),
             ("set: {rules: hsl2026}\n", [("set: {rules.durations.ready: 3, rules.durations.set: 1}\n", "")],
              r"set: rules: expected a path inside it"),
             ("sweep: {path: rules.messages.budget, values: []}\n", [], r"e\.yaml:\d+:\d+: .*the list is empty"),
