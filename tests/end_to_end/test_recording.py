@@ -256,7 +256,7 @@ class WhatStandsInIt(Recording):
                 for row, role in enumerate(roles):
                     overlap[row] += held[row] >= 2
                     wanted = role["list"] == in_force and role["priority"] < len(active) and (
-                        role["least_in_play"] <= len(active) and (not role["robots"] or active & set(role["robots"])))
+                        role["least_in_play"] <= len(active) and (not role["robots"] or set(active) & set(role["robots"])))
                     uncovered[row] += held[row] == 0 and wanted
             stored = self.result["roles"][i]
             for row, role in enumerate(roles):
