@@ -48,7 +48,7 @@ Field shirt_numbers(std::string key, std::vector<int>& numbers, std::string doc)
     attempt_each(node, what, mistakes, [&](const Node& element, const std::string& path, std::size_t) {
       const int next = number(element, path, 1);
       if (std::ranges::find(numbers, next) != numbers.end())
-        throw Error(element.where(), fmt::format("{}: robot {} is given twice", what, next));
+        throw Error(element.where(), fmt::format("{}: robot {} is given twice", path, next));
       numbers.push_back(next);
     });
   };

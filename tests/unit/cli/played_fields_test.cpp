@@ -85,7 +85,7 @@ seed: 5
 seeds: consecutive
 disturbance: wind.yaml
 opponent_disturbance: fog.yaml
-search: {algorithm: spsa, matches: 400, minutes: 2.5, pairs: 3, population: 8}
+search: {algorithm: spsa, matches: 400, minutes: 2.5, pairs: 3, population: 8, start_from: [{p0: 0.3}]}
 selection: {finalists: 6, matches: 96}
 verification: {candidates: 2, matches: 600, against: base, test: symmetric, confidence: 0.9}
 slices: {points: 3, pairs: 6}
@@ -105,7 +105,8 @@ baselines: {window: 0.2, least: 6, time_constant: 0.5}
 )";
 
 // Keys that go with others than those above, and are asked for in documents of their own.
-const std::vector<std::string> alternatives{"test.metric", "minutes", "objective.maximise", "baselines.deceleration"};
+const std::vector<std::string> alternatives{"test.metric", "minutes", "rounds", "objective.maximise",
+                                            "baselines.deceleration"};
 
 void expect_keys(const config::Map& declared, const Json& said, const Json& usual, const std::string& path) {
   for (const config::Field& each : declared.fields) {

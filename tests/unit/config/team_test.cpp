@@ -401,9 +401,9 @@ TEST_F(TeamFiles, RobotsOfARole) {
   const auto refused = [&](const std::string& value) { return error_of([&] { robots(value); }); };
   const std::string place = "t.yaml:6:65: roles.playing.0.robot";
   EXPECT_EQ(refused("[]"), place + ": an empty list; 0 is any robot");
-  EXPECT_EQ(refused("100"), place + ": \"100\" is outside 0 to 99");
+  EXPECT_EQ(refused("100"), place + ": 100 is outside 0 to 99");
   EXPECT_EQ(refused("[1, 2, 1]"), "t.yaml:6:72: roles.playing.0.robot.2: robot 1 is given twice");
-  EXPECT_EQ(refused("[1, any]"), "t.yaml:6:69: roles.playing.0.robot.1: \"any\" is not a whole number");
+  EXPECT_EQ(refused("[1, any]"), "t.yaml:6:69: roles.playing.0.robot.1: \"any\" is not an integer");
 }
 
 TEST_F(TeamFiles, ATitleIsForPeopleAndOfOneTeam) {

@@ -175,8 +175,8 @@ TEST_F(CoordinationTest, TheNextRobotTakesTheRoleOfAnAbsentOne) {
   ScriptedContext<0>::answer = true;
   make(page);
   EXPECT_EQ(decide(1.0, {1, 3}).tasks[0].robot, 1);
-  EXPECT_EQ(decide(1.1, {3}).tasks[0].robot, 3);
-  const Decision& decision = decide(1.2, {});
+  EXPECT_EQ(decide(40.0, {3}).tasks[0].robot, 3) << "robot 1 has been silent for too long";
+  const Decision& decision = decide(80.0, {});
   EXPECT_EQ(decision.tasks[0].robot, 2);
   EXPECT_EQ(decision.columns.front().id, 0) << "it is kept";
 }

@@ -64,7 +64,7 @@ TEST(Labels, NoneCoversAnotherOrABodyOrLeavesThePicture) {
 }
 
 TEST(Labels, OfOneCrowdTheFirstChooses) {
-  const std::vector<WantedLabel> same(20, {300.0, 200.0, 9.0, 80.0, 12.0, false});
+  const std::vector<WantedLabel> same(20, {300.0, 200.0, 30.0, 10.0, 10.0, false});
   const auto placed = place_labels(same, {}, page);
   EXPECT_TRUE(placed[0] && !placed[0]->far);
   EXPECT_EQ(std::ranges::count_if(placed, [](const auto& each) { return !each; }), 20 - 8)

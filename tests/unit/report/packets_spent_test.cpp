@@ -56,7 +56,7 @@ TEST(PacketsSpent, TextOfATournament) {
 // Of one match; 30 packets are its share of the budget, and 31 are 3 % more.
 TEST(PacketsSpent, WhoSpendsTheShareAndFivePercentHasNotOverspent) {
   campaign::PlayedMatch match;
-  match.teams = {"a", "b"};
+  match.teams = match.titles = {"a", "b"};
   match.budget = 1200;
   match.packets_share = 30.0;
   match.result.packets = {30, 31};

@@ -178,7 +178,7 @@ TEST(TuningPlan, AnyValueMayBeAnother) {
     }
     Json damaged = whole;
     Json& parent = damaged[Json::json_pointer(place).parent_pointer()];
-    if (!parent.is_object() || place == "/program") continue;
+    if (!parent.is_object() || place == "/program" || place == "/starts") continue;
     parent.erase(Json::json_pointer(place).back());
     EXPECT_THROW(tuning_plan_from_json(damaged.dump()), std::invalid_argument) << "without " << place;
   }
