@@ -219,7 +219,10 @@ class Pictures(View):
         self.assertLessEqual(len(name), len(long_name))
         old = f'"team":"{long_name}"'.encode()
         self.assertEqual(data.count(old), 1)
-        (self.folder / "hostile.mcap").write_bytes(data.replace(old, b'"team":"' + name.ljust(len(long_name)) + b'"'))
+        padded = name.ljust(len(long_name))
+        for key in (b"team", b"title"):
+            data = data.replace(b'"%s":"%s"' % (key, long_name.encode()), b'"%s":"%s"' % (key, padded))
+        (self.folder / "hostile.mcap").write_bytes(data)
         svg = self.picture("--at", "9", "--robot", "2", file="hostile.mcap")
         self.assertFalse([element for element in svg.iter() if element.tag.endswith("script")])
         self.assertTrue(any("<script>" in text for text in self.texts(svg)))

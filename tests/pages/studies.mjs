@@ -27,7 +27,7 @@ ${soon}
       "measures: [packets, agreement, goal_difference, striker.switches]\nprimary: {measure: packets}\n",
     "sweep.yaml": head("sweep") + arms + "measures: [overlap_seconds, packets]\n" +
       "primary: {measure: packets, compare: [[fixed rate, paper]]}\n" +
-      "sweep: {path: disturbance.radio.loss, values: [0, 0.3, 0.6]}\n",
+      "sweep: {path: a_disturbance.radio.loss, values: [0, 0.3, 0.6]}\n",
     "named_values.yaml": head("named_values") + arms + "measures: [overlap_seconds, packets]\n" +
       "sweep: {path: assigner.plugin, values: [greedy, hungarian]}\n",
     "tuning.yaml": `tuning: tuning
