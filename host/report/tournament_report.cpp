@@ -77,9 +77,9 @@ class TournamentReport final : public StudyReport {
     return out;
   }
   std::string standing() const override { return fmt::format("{}\n{}", title(view()), standing_text(view())); }
-  std::string match(const study::Round& /*round*/, std::uint64_t index,
+  std::string match(const study::Round& round, std::uint64_t index,
                     const campaign::MatchResult& decided) const override {
-    const study::Fixture fixture = course_.calendar().at(index);
+    const study::Fixture fixture = course_.calendar().at(round.first_row + index);
     const std::string scene = scene_name(plan_.openings, fixture.opening);
     std::string line = fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
                                    plan_.teams[fixture.home].shown(), decided.score[0], decided.score[1],
@@ -91,8 +91,8 @@ class TournamentReport final : public StudyReport {
     }
     return line;
   }
-  MatchPlayers players(const study::Round& /*round*/, std::uint64_t index) const override {
-    const study::Fixture fixture = course_.calendar().at(index);
+  MatchPlayers players(const study::Round& round, std::uint64_t index) const override {
+    const study::Fixture fixture = course_.calendar().at(round.first_row + index);
     return {{plan_.teams[fixture.home].shown(), plan_.teams[fixture.away].shown()},
             scene_name(plan_.openings, fixture.opening),
             fixture.seed};
@@ -112,9 +112,9 @@ class TournamentReport final : public StudyReport {
     columns_ = match::MetricColumns(options.all_metrics ? options.metrics : csv_metrics(plan_));
     return csv_head(columns_.paths());
   }
-  std::string table_lines(const study::Round& /*round*/, std::uint64_t index,
+  std::string table_lines(const study::Round& round, std::uint64_t index,
                           const campaign::MatchResult& decided) override {
-    return csv_line(view(), index, decided, columns_);
+    return csv_line(view(), round.first_row + index, decided, columns_);
   }
 
   campaign::Metrics page_metrics() const override { return campaign::Metrics::wanted; }

@@ -212,10 +212,10 @@ PairDifferences pair_differences(const TournamentPlan& plan, const campaign::Sto
   Tournament course(plan);
   std::optional<double> at_home;
   read_back(course, store, campaign::Metrics::wanted,
-            [&](const Round& /*round*/, std::uint64_t index, const campaign::MatchResult* decided) {
+            [&](const Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
               if (decided == nullptr) return;
               learn_names(*decided, out.known);
-              const Fixture fixture = course.calendar().at(index);
+              const Fixture fixture = course.calendar().at(round.first_row + index);
               const auto difference = difference_in(*decided, plan, measure, !fixture.swapped);
               if (!fixture.swapped) {
                 at_home = difference;
