@@ -131,8 +131,10 @@ config::Overrides settings_of(const config::Experiment& experiment, const config
     }
   }
   const config::Location where = document["sweep"]["path"].where();
-  std::ranges::copy(settings_of(config::Node::map({{path, where, experiment.sweep->values[value]}}, where), "sweep"),
-                    std::back_inserter(out));
+  std::ranges::copy(
+      settings_of(config::Node::map({{experiment.sweep->path, where, experiment.sweep->values[value]}}, where),
+                  "sweep"),
+      std::back_inserter(out));
   return out;
 }
 
