@@ -355,7 +355,7 @@ Json rounds_json(const TournamentView& view) {
   for (const std::vector<std::size_t>& round : view.course.calendar().drawn()) {
     Json& meetings = out.emplace_back(Json::array());
     for (const std::size_t pairing : round) {
-      const study::Pairing& who = view.plan.pairings()[pairing];
+      const study::Pairing& who = view.course.calendar().pairings()[pairing];
       meetings.push_back({view.label(who.first), view.label(who.second)});
     }
   }

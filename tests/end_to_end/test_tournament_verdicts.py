@@ -49,6 +49,25 @@ class Verdicts(tournament.Tournament):
         for key, value in {"llr": test["llr"], "elo": pairing["elo"], "nelo": pairing["nelo"]}.items():
             self.assertAlmostEqual(alone[key], value, places=9)
 
+    def rounds_are_as_drawn(self, form):
+        words, report = self.same_for_any_number_of_workers("--format", form, teams=THREE, pairs=1)
+        self.assertEqual((report["format"], len(report["rounds"]), report["complete"]), (form, 2, True))
+        self.assertTrue(words.startswith("Tournament: 3 teams, "), words)
+        # Each line of the table is the match of its row, and of the meeting that was drawn for its round.
+        table = list(csv.DictReader(io.StringIO(self.succeed("report", "1.db", "--csv"))))
+        stored = self.stored("SELECT row, seed, job FROM matches JOIN fixtures ON fixture = id ORDER BY row", "1.db")
+        self.assertEqual([(line["row"], line["seed"], [f"{line[side]}.yaml" for side in ("home", "away")]) for line in table],
+                         [(str(row), str(seed), json.loads(job)["teams"]) for row, seed, job in stored])
+        self.assertEqual([line["pair"] for line in table], ["1", "1", "2", "2"])
+        self.assertEqual([{line["home"], line["away"]} for line in table[::2]],
+                         [set(meeting) for meetings in report["rounds"] for meeting in meetings])
+
+    def test_a_knock_out(self):
+        self.rounds_are_as_drawn("knock_out")
+
+    def test_a_swiss_tournament(self):
+        self.rounds_are_as_drawn("swiss")
+
     def test_the_other_verdict_and_none(self):
         teams = ("worse.yaml", "small.yaml")
         report = self.only("--sprt", "0,200", "--model", "logistic", "--alpha", "0.1", "--beta", "0.2", teams=teams,
@@ -172,24 +191,6 @@ class Formats(tournament.Tournament):
         self.assertEqual((report["format"], len(report["pairings"])), ("gauntlet", 2))
         changed = self.refused(*self.arguments("--resume", teams=THREE, pairs=2))
         self.assertIn("format: was gauntlet, now round_robin", changed)
-
-    def test_rounds(self):
-        for form in ("knock_out", "swiss"):
-            with self.subTest(form):
-                words, report = self.same_for_any_number_of_workers("--format", form, teams=THREE, pairs=1)
-                self.assertEqual((report["format"], len(report["rounds"]), report["complete"]), (form, 2, True))
-                self.assertTrue(words.startswith("Tournament: 3 teams, "), words)
-                # Each line of the table is the match of its row, and of the meeting that was drawn for its round.
-                table = list(csv.DictReader(io.StringIO(self.succeed("report", "1.db", "--csv"))))
-                stored = self.stored("SELECT row, seed, job FROM matches JOIN fixtures ON fixture = id ORDER BY row", "1.db")
-                self.assertEqual([(line["row"], line["seed"], [f"{line[side]}.yaml" for side in ("home", "away")])
-                                  for line in table],
-                                 [(str(row), str(seed), json.loads(job)["teams"]) for row, seed, job in stored])
-                self.assertEqual([line["pair"] for line in table], ["1", "1", "2", "2"])
-                self.assertEqual([{line["home"], line["away"]} for line in table[::2]],
-                                 [set(meeting) for meetings in report["rounds"] for meeting in meetings])
-                for file in ("1.db", "2.db", "4.db"):
-                    (self.folder / file).unlink()
 
     def test_values_for_the_third_team(self):
         changed = ("--set", "c.utility.terms.near.params.scale=3")
