@@ -65,7 +65,8 @@ std::string what_more_would_find(const TournamentView& view, const Meeting& meet
   const auto needed = statistics::pairs_needed(worth_finding, deviation, study::design_of(view.plan));
   const std::string found = fmt::format("a difference of {} goals a {}", worth_finding, game_word(view.plan));
   if (needed && static_cast<std::uint64_t>(*needed) > pairs)
-    return fmt::format("About {} more pairs would find {}.", static_cast<std::uint64_t>(*needed) - pairs, found);
+    return fmt::format("About {} would find {}.",
+                       texts::plural(static_cast<std::uint64_t>(*needed) - pairs, "more pair", "more pairs"), found);
   return fmt::format("{} find {} in four of five cases.", texts::plural(pairs, "pair", "pairs"), found);
 }
 
