@@ -39,7 +39,7 @@ TEST(Labels, NoneCoversAnotherOrABodyOrLeavesThePicture) {
   for (int picture = 0; picture < 200; ++picture) {
     std::vector<WantedLabel> labels;
     std::vector<Area> bodies;
-    for (int i = 0; i < 22; ++i) {
+    for (std::size_t i = 0; i < 22; ++i) {
       labels.push_back({x(random), y(random), 9.0, width(random), 12.0, i % 3 != 0});
       bodies.push_back({labels[i].x - 9.0, labels[i].y - 9.0, labels[i].x + 9.0, labels[i].y + 9.0});
     }
