@@ -40,8 +40,7 @@ constexpr std::int32_t nobody = -1;  // regista_task::robot of a role that no ro
 // in play comes from the referee, so a robot that hears nobody still knows that it is not alone.
 std::int32_t only_robot(const config::Role& role, const DistributedWorldModel& world) {
   const auto in_play = [](const regista_robot& each) { return (each.flags & REGISTA_ROBOT_PENALISED) == 0; };
-  if (role.least_in_play > 1 && std::ranges::count_if(world.robots, in_play) < role.least_in_play)
-    return nobody;
+  if (role.least_in_play > 1 && std::ranges::count_if(world.robots, in_play) < role.least_in_play) return nobody;
   if (role.robots.empty()) return 0;
   const auto chosen = std::ranges::find_first_of(role.robots, world.active);
   return chosen == role.robots.end() ? role.robots.front() : *chosen;
