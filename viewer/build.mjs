@@ -33,7 +33,7 @@ function options(words) {
   return found;
 }
 
-// The decompressor's WebAssembly stands in the script, packed: a page from disk cannot fetch. LZ4 is unpacked by
+// The script holds the decompressor's WebAssembly, packed: a page from disk cannot fetch. LZ4 is unpacked by
 // src/recording/lz4.ts, and nobody compresses recordings with bzip2, so these two decompressors stay out.
 const decompressors = {
   name: "decompressors",

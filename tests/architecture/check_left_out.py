@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What scripts/check leaves out is decided, not forgotten: each test of tests/left_out.txt stands in docs/decisions.md, by
+"""What scripts/check leaves out is decided, not forgotten: docs/decisions.md names each test of tests/left_out.txt, by
 its name in quotes of code.
 
     check_left_out.py PROJECT

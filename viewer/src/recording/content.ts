@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What stands in a message, as text when it is asked for.
+// The content of a message, made into text when it is asked for.
 
 const decoder = new TextDecoder();
 
