@@ -96,7 +96,8 @@ TEST(Tournament, SwissRoundsAreDrawnFromTheResults) {
   Tournament course(plan);
   using Line = std::array<std::uint64_t, 3>;
   // Team 4 has a bye, and team 2 loses to team 3. Then 0, 3 and 4 have two points, and team 2, the last without a bye,
-  // gets one. Then 0 has four points and the others two; 3 gets the bye. Team 1 has met 4, so it meets 2, and 0 meets 4.
+  // gets one. Then 0 has four points and the others two; 3 gets the bye. Team 1 has met 4, so it meets 2, and 0
+  // meets 4.
   EXPECT_THAT(played_in_rounds(course, {3, 2}), ElementsAre(Line{0, 1, 40}, Line{2, 3, 40}, Line{0, 3, 41},
                                                             Line{1, 4, 41}, Line{0, 4, 42}, Line{1, 2, 42}));
 }
