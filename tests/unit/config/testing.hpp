@@ -62,8 +62,8 @@ class InFolder : public testing::Test {
   std::filesystem::path before_;
 };
 
-// Of processor time, so that a busy machine does not make it longer. With sanitizers a tenth of it: rooms that no match runs
-// through are not optimised then, and each access is checked.
+// Of processor time, so that a busy machine does not make it longer. With sanitizers a tenth of it: rooms that no match
+// runs through are not optimised then, and each access is checked.
 template <class Act>
 double seconds_of(Act act) {
   const std::clock_t begin = std::clock();
