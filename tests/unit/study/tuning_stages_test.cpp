@@ -95,7 +95,8 @@ TEST(SearchOverPairs, KeepsWhatEverySetOfPairsSaid) {
 }
 
 TEST(SearchOverPairs, BeginsAtTheBestOfTheGivenPoints) {
-  // Two hills: a local algorithm climbs the wide one at 0.4 from the base team, at 0.5, and does not see the narrow one.
+  // Two hills: a local algorithm climbs the wide one at 0.4 from the base team, at 0.5, and does not see the narrow
+  // one.
   const auto hills = [](const ParameterValues& values) {
     const double x = values[0];
     return std::max(2.0 - 20.0 * std::abs(x - 0.4), 8.0 - 200.0 * std::abs(x - 0.95));
