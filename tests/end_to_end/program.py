@@ -115,7 +115,7 @@ class Case(unittest.TestCase):
                 pass
 
         with self.start(*arguments, stdout=subprocess.PIPE, stderr=theirs,
-                        environment={"TERM": terminal, **(environment or {})}, **options) as process:
+                        environment={"TERM": terminal, "NO_COLOR": "", **(environment or {})}, **options) as process:
             os.close(theirs)
             reader = threading.Thread(target=read)
             reader.start()
