@@ -9,8 +9,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "statistics/moments.hpp"
-
 namespace regista::statistics {
 namespace {
 
