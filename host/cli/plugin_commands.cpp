@@ -4,7 +4,6 @@
 #include <regista/abi.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <sstream>
@@ -58,12 +57,11 @@ constexpr auto plugin_info_examples = R"(Examples:
 // Returns all plugins with this id. There may be several, because two folders may hold two builds of a plugin.
 std::vector<const plugin::Found*> find(const plugin::Catalogue& catalogue, const std::string& id) {
   std::vector<const plugin::Found*> found;
-  std::vector<std::string> known;
   for (const plugin::Found& plugin : catalogue.plugins()) {
     if (plugin.descriptor->id == id) found.push_back(&plugin);
-    known.emplace_back(plugin.descriptor->id);
   }
   if (!found.empty()) return found;
+  const auto known = texts::names_of(catalogue.plugins(), [](const auto& each) { return each.descriptor->id; });
   throw BadInput(fmt::format("plugin info: {}; searched: {}", texts::unknown("plugin", id, "", known),
                              texts::join(folders_of(catalogue))));
 }
@@ -299,7 +297,7 @@ int run(const PluginCheckOptions& options, const Invocation& invocation) {
   if (options.json) {
     auto json = nlohmann::ordered_json::array();
     for (const check::Report& each : reports) json.push_back(json_of(each));
-    output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+    output::print(report::text_of(json, 2));
   }
   return std::ranges::all_of(reports, &check::Report::passed) ? exit_done : exit_no;
 }

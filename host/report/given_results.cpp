@@ -13,7 +13,6 @@
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/outline.hpp"
-#include "statistics/rating.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
@@ -91,18 +90,16 @@ std::string test_line(const PowerQuestion& question) {
          fmt::format(". It finds nothing with fewer than {} {}pairs.", fewest_of(question), flips ? "uneven " : "");
 }
 
-template <class Number>
-nlohmann::ordered_json or_null(const std::optional<Number>& value) {
+nlohmann::ordered_json or_null(const std::optional<std::int64_t>& value) {
   return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
 }
 
 }  // namespace
 
-SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts, const std::string& model,
+SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts,
                                    const statistics::SequentialDesign& design) {
   SequentialTestOfCounts result{};
   result.counts = counts;
-  result.model = model;
   result.design = design;
   const auto take = [&](auto units) {
     std::ranges::copy(counts, units.seen.begin());
@@ -129,7 +126,8 @@ std::string counts_text(const SequentialTestOfCounts& result) {
   out += result.superiority ? fmt::format("LOS: {:.2f} %", 100.0 * *result.superiority) : "LOS: -";
   if (result.pair_ratio) out += fmt::format(", pair ratio: {:.2f}", *result.pair_ratio);
   out += fmt::format("\nLLR: {:.3f} ({:.3f}, {:.3f}) [{}, {}] {}\n", result.ratio.value, result.bounds.lower,
-                     result.bounds.upper, result.design.hypotheses.elo0, result.design.hypotheses.elo1, result.model);
+                     result.bounds.upper, result.design.hypotheses.elo0, result.design.hypotheses.elo1,
+                     name(result.design.model));
   if (result.ratio.method == statistics::Method::closed_form) {
     out += "The bounds are out of reach of such scores: the LLR is an approximation.\n";
   }
@@ -145,7 +143,7 @@ std::string counts_text(const SequentialTestOfCounts& result) {
 std::string counts_json(const SequentialTestOfCounts& result) {
   return text_of({{"unit", result.law.unit == statistics::Unit::pair ? "pairs" : "games"},
                   {"counts", result.counts},
-                  {"model", result.model},
+                  {"model", name(result.design.model)},
                   {"elo0", result.design.hypotheses.elo0},
                   {"elo1", result.design.hypotheses.elo1},
                   {"alpha", result.design.rates.alpha},
@@ -337,7 +335,7 @@ std::string power_json(const study::PairDifferences& study, const PowerQuestion&
                         {"standard_deviation_interval", interval},
                         {"pairs_needed", or_null(answers.needed)},
                         {"pairs_needed_interval", needed_interval},
-                        {"difference_found", or_null(answers.found)}});
+                        {"difference_found", json_or_null(answers.found)}});
   }
   const Json out{{"measure", study.measure},
                  {"unit", study.unit},
@@ -346,7 +344,7 @@ std::string power_json(const study::PairDifferences& study, const PowerQuestion&
                  {"family", design.family},
                  {"smallest_pairs", statistics::smallest_pairs(design.alpha, design.family, design.test)},
                  {"power", design.power},
-                 {"difference", or_null(question.difference)},
+                 {"difference", json_or_null(question.difference)},
                  {"pairs", or_null(question.pairs)},
                  {"own_test_is_sequential", question.sequential},
                  {"comparisons", compared}};

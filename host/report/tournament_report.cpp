@@ -79,17 +79,10 @@ class TournamentReport final : public StudyReport {
   std::string standing() const override { return fmt::format("{}\n{}", title(view()), standing_text(view())); }
   std::string match(const study::Round& round, std::uint64_t index,
                     const campaign::MatchResult& decided) const override {
-    const study::Fixture fixture = course_.calendar().at(round.first_row + index);
-    const std::string scene = scene_name(plan_.openings, fixture.opening);
-    std::string line = fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
-                                   plan_.teams[fixture.home].shown(), decided.score[0], decided.score[1],
-                                   plan_.teams[fixture.away].shown());
-    if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
-    if (decided.failure) {
-      const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
-      line += ", " + forfeit_text(plan_.teams[loser].shown(), *decided.failure);
-    }
-    return line;
+    const auto& [sides, scene, seed] = players(round, index);
+    return fmt::format("seed {}{}{}: {} {}:{} {}", seed, scene.empty() ? "" : ", ", scene, sides[0], decided.score[0],
+                       decided.score[1], sides[1]) +
+           how_it_ended(decided, sides);
   }
   MatchPlayers players(const study::Round& round, std::uint64_t index) const override {
     const study::Fixture fixture = course_.calendar().at(round.first_row + index);
@@ -303,9 +296,7 @@ const char* game_word(const study::TournamentPlan& plan) { return plan.openings.
 const char* games_word(const study::TournamentPlan& plan) { return plan.openings.empty() ? "matches" : "scenes"; }
 
 WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
-  std::vector<campaign::Input> openings;
-  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
-  WhatWasPlayed out = what_was_played(plan.asked.settings, plan.common_inputs, openings);
+  WhatWasPlayed out = what_was_played(plan.asked.settings, plan.common_inputs, inputs_of(plan.openings));
   for (std::size_t team = 0; team < plan.teams.size(); ++team) {
     const config::Tournament::Team& asked = plan.asked.teams[team];
     const study::Entrant& found = plan.teams[team];
@@ -385,38 +376,7 @@ ForfeitWords forfeit_words(const TournamentView& view, TeamText name) {
   return {[&view, name](std::size_t team) { return (view.*name)(team); }, view.again, {}};
 }
 
-Outline tournament_outline(const TournamentView& view, const TournamentPage* page) {
-  Outline out;
-  out.kind = "Tournament";
-  out.title = title(view);
-  out.name = view.plan.asked.name;
-  out.question = view.plan.asked.question;
-  TournamentVerdict verdict = tournament_verdict(view);
-  out.headline = std::move(verdict.sentence);
-  out.beside = std::move(verdict.beside);
-  out.tiles = tiles_of(view);
-  out.lead = lead_of(view);
-  out.played = what_was_played(view.plan);
-  out.remarks = view.course.remarks();
-  out.data = [view] { return tournament_data(view); };
-  out.add(standing_section(view));
-  out.add(rounds_section(view));
-  out.add(curves_section(view));
-  if (page != nullptr) {
-    out.add(goals_section(view, page->record));
-    out.add(roles_section(view, page->record, page->metrics));
-  }
-  out.add(packets_section(view, page != nullptr ? &page->record : nullptr));
-  if (page != nullptr) out.add(plugins_section(view, page->record));
-  out.add(variance_section(view));
-  out.add(unplayed_section(view.course.unplayed_pairs(), view.course.remarks()));
-  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view, &TournamentView::shown)));
-  if (page == nullptr) return out;
-  out.fingerprint = page->record.fingerprint();
-  out.add(recordings_section(view, page->recordings, page->link_to));
-  out.add(configuration_section(page->documents, out.played.teams));
-  return out;
-}
+namespace {
 
 Json tournament_data(const TournamentView& view) {
   const study::Tournament& course = view.course;
@@ -483,6 +443,41 @@ Json tournament_data(const TournamentView& view) {
   out["set_aside"] = set_aside;
   out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
   out["allow_shared_memory"] = view.plan.limits().allow_shared_memory;
+  return out;
+}
+
+}  // namespace
+
+Outline tournament_outline(const TournamentView& view, const TournamentPage* page) {
+  Outline out;
+  out.kind = "Tournament";
+  out.title = title(view);
+  out.name = view.plan.asked.name;
+  out.question = view.plan.asked.question;
+  TournamentVerdict verdict = tournament_verdict(view);
+  out.headline = std::move(verdict.sentence);
+  out.beside = std::move(verdict.beside);
+  out.tiles = tiles_of(view);
+  out.lead = lead_of(view);
+  out.played = what_was_played(view.plan);
+  out.remarks = view.course.remarks();
+  out.data = [view] { return tournament_data(view); };
+  out.add(standing_section(view));
+  out.add(rounds_section(view));
+  out.add(curves_section(view));
+  if (page != nullptr) {
+    out.add(goals_section(view, page->record));
+    out.add(roles_section(view, page->record, page->metrics));
+  }
+  out.add(packets_section(view, page != nullptr ? &page->record : nullptr));
+  if (page != nullptr) out.add(plugins_section(view, page->record));
+  out.add(variance_section(view));
+  out.add(unplayed_section(view.course.unplayed_pairs(), view.course.remarks()));
+  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view, &TournamentView::shown)));
+  if (page == nullptr) return out;
+  out.fingerprint = page->record.fingerprint();
+  out.add(recordings_section(view, page->recordings, page->link_to));
+  out.add(configuration_section(page->documents, out.played.teams));
   return out;
 }
 

@@ -82,7 +82,6 @@ struct TournamentPage {
 };
 
 Outline tournament_outline(const TournamentView& view, const TournamentPage* page = nullptr);
-nlohmann::ordered_json tournament_data(const TournamentView& view);  // for programs
 
 // Returns the figures that have data. For two teams: curves over pairs named "elo", "llr" (if the test uses scores) or
 // "value" (goals or the tested metric), and "goal_differences", "roles", "packets". For more teams: "ranking", "elo".

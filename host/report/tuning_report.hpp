@@ -109,9 +109,7 @@ std::string slices_note(const TuningView& view);
 // Returns a few lines about a running tuning: stage, evaluation, best value so far, finalists, verification.
 std::string tuning_standing(const TuningView& view);
 
-// These functions also work for a tuning that has not ended.
-Outline tuning_outline(const TuningView& view);
-nlohmann::ordered_json tuning_data(const TuningView& view);
+Outline tuning_outline(const TuningView& view);  // also of a tuning that has not ended
 
 // Returns the trace of the search as a table: a header, then a line for each evaluation.
 std::string tuning_csv(const TuningView& view);

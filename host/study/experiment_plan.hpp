@@ -122,12 +122,9 @@ ExperimentPlan experiment_plan_from_json(const std::string& text);
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now);
 
 // Makes the plan of a document. Sets up and checks every arm at every value of the sweep before the first match.
-// plugins: folders of the catalogue. Throws config::BadInput, and config::Error at the place of the mistake.
+// plugins: folders of the catalogue. mistakes: gets the mistakes; with any, the plan is incomplete. Throws
+// config::BadInput, and config::Error at the place of a mistake that leaves nothing else to check.
 ExperimentPlan planned_experiment(const config::Node& document, const std::vector<std::string>& plugins,
-                                  const plugin::Catalogue& catalogue);
-
-// Tests whether a document can be planned. Adds every mistake in arms, values and measures to `mistakes`.
-void check_experiment(const config::Node& document, const std::vector<std::string>& plugins,
-                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+                                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The schedule of a tournament: which teams meet in which match, with which seed and scene, and the jobs of these
-// matches.
+// matches. In Swiss and knock-out tournaments, results decide who meets in a round.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,9 +15,35 @@
 #include "campaign/store.hpp"
 #include "config/overlay.hpp"
 #include "study/tournament_plan.hpp"
-#include "study/tournament_rounds.hpp"
 
 namespace regista::study {
+
+// --- Draws of rounds. Teams are indices, and an earlier team is seeded higher.
+
+using TeamPair = std::array<std::size_t, 2>;  // the higher seeded team first
+
+// What a Swiss tournament knows of its earlier rounds, by team.
+struct SwissStanding {
+  std::vector<double> points;
+  std::vector<char> plays;             // 0: the team has left the tournament
+  std::vector<char> had_bye;           // 1: the team has been without an opponent before
+  std::vector<std::vector<char>> met;  // [i][j]: i and j have met
+};
+
+// Draws a round after Monrad: teams stand in the order of their points, and each meets the next one that it has not
+// met. If that leaves teams over, the draw is changed from its end, and two teams meet again only if nothing else is
+// possible. With an odd number of teams, the last team that had no bye gets one: it has no opponent in this round.
+std::vector<TeamPair> swiss_round(const SwissStanding& standing);
+
+// The usual number of rounds: as many as a knock-out of these teams has.
+std::size_t knock_out_rounds(std::size_t teams);
+
+// Draws a round of a knock-out, from 0. The higher seeds meet as late as possible, and have byes in the first round if
+// the number of teams is no power of two. winner: decides a meeting of an earlier round.
+std::vector<TeamPair> knock_out_round(std::size_t teams, std::size_t round,
+                                      const std::function<std::size_t(const TeamPair&)>& winner);
+
+// --- The schedule.
 
 // A match of the schedule.
 struct Fixture {

@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -130,12 +129,9 @@ struct PlannedTournament {
 };
 
 // Makes the plan of a document. Reads and checks everything before the first match. plugins: folders of the catalogue.
-// Throws config::BadInput, and config::Error at the place of the mistake.
+// mistakes: gets the mistakes in teams and scenes; with any, there is no plan. Throws config::BadInput, and
+// config::Error at the place of a mistake that leaves nothing else to check.
 PlannedTournament planned_tournament(const config::Node& document, const std::vector<std::string>& plugins,
-                                     const plugin::Catalogue& catalogue);
-
-// Tests whether a document can be planned. Adds every mistake in teams and scenes to `mistakes`.
-void check_tournament(const config::Node& document, const std::vector<std::string>& plugins,
-                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+                                     const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

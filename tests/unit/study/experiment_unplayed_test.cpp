@@ -53,7 +53,7 @@ TEST(ExperimentUnplayed, TheirPairsHaveNoValuesAndAreCounted) {
   EXPECT_EQ(course.unplayed_pairs(0), 1u);
   EXPECT_EQ(course.unplayed_pairs(1), 2u);
   EXPECT_EQ(course.unplayed_pairs(), 3u);
-  EXPECT_EQ(course.remarks().unplayed().count(), 3u);
+  EXPECT_EQ(course.remarks().unplayed.count(), 3u);
   EXPECT_EQ(course.mean(0, 0).pairs, 5);
   EXPECT_EQ(course.mean(1, 0).pairs, 4);
   ASSERT_EQ(all.size(), 1u);
