@@ -7,14 +7,10 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <system_error>
-#include <vector>
 
-#include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
 #include "config/difference.hpp"
-#include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/reference.hpp"
 #include "config/rules.hpp"
@@ -26,7 +22,6 @@
 #include "plugin/info.hpp"
 #include "recording/field_svg.hpp"
 #include "report/number.hpp"
-#include "results/study_kind.hpp"
 #include "study/document_check.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -36,7 +31,7 @@ namespace {
 
 // --- `regista config check FILE...`: checks documents (study/document_check.hpp).
 
-using Json = nlohmann::ordered_json;
+using report::Json;
 
 constexpr auto config_check_examples = R"(Examples:
   regista config check configs/teams/paper.yaml

@@ -10,19 +10,14 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
 
-#include "cli/command_line.hpp"
-#include "cli/common_options.hpp"
 #include "cli/study_commands.hpp"
 #include "config/scalar.hpp"
 #include "match/metric_table.hpp"
-#include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "plugin/shared_object.hpp"
 #include "report/given_results.hpp"
 #include "results/results_file.hpp"
-#include "results/study_run.hpp"
 #include "study/paired_estimates.hpp"
 #include "study/study.hpp"
 #include "texts/message.hpp"

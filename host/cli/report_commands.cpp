@@ -202,7 +202,7 @@ int run(ReportOptions options, const output::OutputFiles& outputs, const Invocat
 // --- `regista results`: lists the studies whose results are in a folder, with their findings.
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using report::Json;
 
 constexpr auto results_examples = R"(Examples:
   regista results

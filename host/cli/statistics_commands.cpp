@@ -6,14 +6,8 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
-#include "command/terminal.hpp"
-#include "config/documents.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
 #include "config/scalar.hpp"

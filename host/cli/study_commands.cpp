@@ -10,19 +10,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 
-#include "cli/command_line.hpp"
-#include "cli/common_options.hpp"
-#include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "report/experiment_report.hpp"
 #include "report/tournament_report.hpp"
 #include "report/tuning_report.hpp"
 #include "results/results_file.hpp"
-#include "results/study_run.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/study.hpp"
 #include "study/tournament_plan.hpp"

@@ -11,7 +11,6 @@
 #include <iterator>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "report/metric_reference.hpp"
@@ -48,7 +47,6 @@ Axis value_axis(const study::ExperimentPlan& plan) {
   return {.title = in_title(plan.sweep()), .logarithmic = values.low > 0.0 && values.high / values.low >= 50.0};
 }
 
-// Returns a panel with a row for each arm. A row shows the arm's mean and its interval.
 Panel panel_of_arms(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   Panel out{.x = {.title = measure_axis(plan.measures[measure])}};
@@ -61,7 +59,6 @@ Panel panel_of_arms(const ExperimentView& view, std::size_t measure) {
   return out;
 }
 
-// Returns a figure with one panel for each measure. The panels are beside each other.
 Figure figure_of_arms(const ExperimentView& view, std::span<const std::size_t> measures, std::string name) {
   const study::ExperimentPlan& plan = view.plan;
   Figure out{.name = std::move(name)};
@@ -91,7 +88,6 @@ Figure arms_figure(const ExperimentView& view, std::size_t measure) {
   return out;
 }
 
-// Returns figures of the given measures, each figure with at most three panels.
 std::vector<Figure> other_measures(const ExperimentView& view, const std::vector<std::size_t>& measures) {
   constexpr std::size_t most_panels = 3;
   const study::ExperimentPlan& plan = view.plan;
@@ -209,9 +205,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
     }
     return false;
   });
-  std::vector<std::string> measures;
-  for (const RoleMeasure& each : shown) measures.emplace_back(each.name);
-  Figure out{.name = "roles", .title = "Roles: " + in_a_row(measures)};
+  Figure out{.name = "roles", .title = "Roles: " + in_a_row(texts::names_of(shown, &RoleMeasure::name))};
   out.csv = "role";
   for (const RoleMeasure& each : shown) {
     out.description += fmt::format("{}{}: {}", out.description.empty() ? "" : "; ", each.name, each.meaning);

@@ -12,7 +12,6 @@
 #include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
-#include "report/what_was_played.hpp"
 #include "study/paired_estimates.hpp"
 #include "study/settings.hpp"
 #include "texts/json.hpp"
@@ -20,8 +19,6 @@
 
 namespace regista::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Returns a title: "role_overlap: 3 arms against spqr2023, 36 matches each"
 std::string title_of(const study::ExperimentPlan& plan) {

@@ -32,8 +32,7 @@ class ExperimentReport final : public StudyReport {
   const study::Study& study() const override { return course_; }
 
   std::vector<std::string> teams() const override {
-    std::vector<std::string> out;
-    for (const config::Experiment::Arm& each : plan_.asked.arms) out.push_back(each.name);
+    std::vector<std::string> out = texts::names_of(plan_.asked.arms, &config::Experiment::Arm::name);
     out.push_back(plan_.asked.opponent);
     return out;
   }

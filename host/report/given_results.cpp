@@ -37,7 +37,6 @@ std::string elo_text(const Team& team) {
 
 std::uint64_t unsigned_count(statistics::Count count) { return static_cast<std::uint64_t>(count); }
 
-// Returns a sentence that says whether the margins are based on pairs, on single games, or on both.
 std::string basis(const RankedResults& ranking) {
   if (ranking.pairs == 0) return "Margins hold with 95 % if all games are independent: the results name no pairs.\n";
   if (2 * ranking.pairs == ranking.games) return "Margins hold with 95 % and count pairs.\n";
@@ -90,9 +89,7 @@ std::string test_line(const PowerQuestion& question) {
          fmt::format(". It finds nothing with fewer than {} {}pairs.", fewest_of(question), flips ? "uneven " : "");
 }
 
-nlohmann::ordered_json or_null(const std::optional<std::int64_t>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
+Json or_null(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace
 
@@ -238,7 +235,7 @@ std::string ranking_text(const RankedResults& ranking) {
 }
 
 std::string ranking_json(const RankedResults& ranking) {
-  nlohmann::ordered_json teams = nlohmann::ordered_json::array();
+  Json teams = Json::array();
   for (const Team& each : ranking.teams) {
     teams.push_back({{"team", each.name},
                      {"group", each.group + 1},
@@ -311,7 +308,6 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
 }
 
 std::string power_json(const study::PairDifferences& study, const PowerQuestion& question) {
-  using Json = nlohmann::ordered_json;
   const statistics::PowerDesign& design = question.design;
   Json compared = Json::array();
   for (const study::ComparedPairs& each : study.compared) {

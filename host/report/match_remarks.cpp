@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "report/number.hpp"
 #include "statistics/paired_tests.hpp"
 #include "statistics/rating.hpp"
 #include "study/paired_estimates.hpp"
@@ -15,8 +16,6 @@
 
 namespace regista::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string matches_in_words(std::uint64_t count) { return texts::plural(count, "match", "matches"); }
 

@@ -20,7 +20,6 @@ namespace regista::report {
 namespace {
 
 using match::MetricRow;
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view marker = "<!-- metrics: ", end_of_marker = " -->";
 

@@ -45,11 +45,7 @@ class TournamentReport final : public StudyReport {
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
 
-  std::vector<std::string> teams() const override {
-    std::vector<std::string> out;
-    for (const study::Entrant& each : plan_.teams) out.push_back(each.shown());
-    return out;
-  }
+  std::vector<std::string> teams() const override { return texts::names_of(plan_.teams, &study::Entrant::shown); }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
   Outline outline() const override { return tournament_outline(view()); }
   Outline page_outline(const PageFiles& files) const override {
@@ -177,8 +173,6 @@ std::string lead_of(const TournamentView& view) {
   if (std::holds_alternative<study::ScoreTest>(objective)) return "llr";
   return std::holds_alternative<study::ValueTest>(objective) ? "value" : "goal_differences";
 }
-
-using Json = nlohmann::ordered_json;
 
 Json score_test(const statistics::SequentialTest& test) {
   const auto& design = test.design();

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "report/tournament_report.hpp"

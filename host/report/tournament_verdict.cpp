@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "statistics/paired_tests.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/tuning_report.hpp"
 #include "study/measure.hpp"
@@ -208,8 +207,6 @@ std::string finalists_in_short(const TuningView& view) {
   }
   return out;
 }
-
-using Json = nlohmann::ordered_json;
 
 Json objective(const study::TuningObjective& of) {
   Json terms = Json::array();

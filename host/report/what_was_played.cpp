@@ -14,14 +14,13 @@
 #include "config/parse.hpp"
 #include "config/scalar.hpp"
 #include "process/child.hpp"
+#include "report/number.hpp"
 #include "report/outline.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Sentence in_words(const PlayedProfile& profile) {
   if (profile.name.empty() && profile.file.empty()) return "not known";

@@ -13,6 +13,7 @@
 #include "study/experiment_course.hpp"
 #include "study/measure.hpp"
 #include "study/tournament_course.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -90,8 +91,7 @@ Answer by_signs(const Contrast& contrast, const std::vector<double>& values, int
 
 void learn_names(const campaign::MatchResult& decided, std::vector<std::string>& known) {
   if (!known.empty() || decided.failure || decided.set_aside() || decided.metrics.empty()) return;
-  const MatchMeasures measures(decided, 0);
-  for (const NamedValue& each : measures.all()) known.push_back(each.path);
+  known = texts::names_of(MatchMeasures(decided, 0).all(), &NamedValue::path);
 }
 
 std::string unit_of_a_match(const std::string& measure) {

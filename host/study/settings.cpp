@@ -160,9 +160,7 @@ config::Overrides on_side(const config::Overrides& settings, std::size_t side) {
 }
 
 std::vector<std::string> as_typed(const config::Overrides& settings) {
-  std::vector<std::string> out;
-  for (const config::Override& each : settings) out.push_back(to_string(each));
-  return out;
+  return texts::names_of(settings, [](const config::Override& each) { return to_string(each); });
 }
 
 std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds) {

@@ -90,7 +90,6 @@ class PairEvaluation {
   std::vector<SearchStep>& steps_;
 };
 
-// Returns the settings of the search. start: the values at which the search begins.
 SearchSettings search_settings(const TuningPlan& plan, const ParameterValues& start) {
   SearchSettings out;
   out.start = point_of(plan, start);

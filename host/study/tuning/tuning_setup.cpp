@@ -69,7 +69,6 @@ class TuningPlanner : Planner<TuningPlan> {
     }
   }
 
-  // Sets up the matches against an opponent, one on each side.
   void look_at(TuningOpponent& opponent, bool is_base) {
     campaign::MatchSetup prepared =
         find_inputs(opponent.jobs, settings_of(plan_, is_base), catalogue_, program_, mathematics_);
@@ -163,7 +162,6 @@ class TuningPlanner : Planner<TuningPlan> {
     config::refuse(document_, {path}, fmt::format("{}: {}: expected {} or more matches", path, why, least));
   }
 
-  // Refuses a budget that is too small for the first round of the algorithm.
   void count_search() {
     const std::uint64_t pair = plan_.matches_of_pair();
     const config::Tuning::Search& search = plan_.asked.search;
@@ -181,7 +179,6 @@ class TuningPlanner : Planner<TuningPlan> {
                                 search.matches, name(plan_.algorithm()), least, each));
   }
 
-  // Sets the numbers of pairs of selection and verification.
   void count_stages() {
     const std::uint64_t pair = plan_.matches_of_pair();
     plan_.selection_pairs = static_cast<std::uint64_t>(plan_.asked.selection.matches) / (pair * plan_.finalists());

@@ -10,7 +10,6 @@
 
 #include "campaign/match_inputs.hpp"
 #include "plugin/shared_object.hpp"
-#include "statistics/moments.hpp"
 #include "statistics/paired_tests.hpp"
 
 namespace regista::study {
@@ -18,7 +17,6 @@ namespace {
 
 constexpr int steps = 4000;  // number of steps of the grid of mean differences
 
-// For each candidate, the p-value that `p` returns, adjusted by Holm's method.
 std::vector<double> adjusted(const std::vector<ScoreDifference>& of, double (ScoreDifference::*p)() const) {
   std::vector<double> out;
   for (const ScoreDifference& each : of) out.push_back((each.*p)());
