@@ -76,17 +76,13 @@ std::string pairs_text(const std::optional<std::int64_t>& pairs) {
   return pairs ? std::to_string(*pairs) : fmt::format("above {}", statistics::most_pairs_asked);
 }
 
-std::int64_t fewest_of(const PowerQuestion& question) {
-  return statistics::smallest_pairs(question.design.alpha, question.design.family, question.design.test);
-}
-
 std::string test_line(const PowerQuestion& question) {
   const bool flips = question.design.test == statistics::PairedTest::sign_flip;
   std::string out = fmt::format("{} at {:.4g} %, two-sided", flips ? "Sign-flip test" : "Student's t test of pairs",
                                 100.0 * question.design.alpha);
   if (question.design.family > 1) out += fmt::format(", by Holm for {} {}", question.design.family, question.several);
-  return out +
-         fmt::format(". It finds nothing with fewer than {} {}pairs.", fewest_of(question), flips ? "uneven " : "");
+  return out + fmt::format(". It finds nothing with fewer than {} {}pairs.",
+                           statistics::smallest_pairs(question.design), flips ? "uneven " : "");
 }
 
 Json or_null(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
@@ -293,7 +289,7 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
   } else {
     out.note("--difference says which difference matters; then it prints how many pairs find it.");
   }
-  if (question.pairs && *question.pairs >= fewest_of(question))
+  if (question.pairs && *question.pairs >= statistics::smallest_pairs(question.design))
     out.note(
         fmt::format("{} pairs find a mean difference of the size in the last column {}.", *question.pairs, chance));
   constexpr std::int64_t enough = 20;  // from docs/statistics.md
@@ -338,7 +334,7 @@ std::string power_json(const study::PairDifferences& study, const PowerQuestion&
                  {"test", design.test == statistics::PairedTest::sign_flip ? "sign_flip" : "paired_t"},
                  {"alpha", design.alpha},
                  {"family", design.family},
-                 {"smallest_pairs", statistics::smallest_pairs(design.alpha, design.family, design.test)},
+                 {"smallest_pairs", statistics::smallest_pairs(design)},
                  {"power", design.power},
                  {"difference", json_or_null(question.difference)},
                  {"pairs", or_null(question.pairs)},

@@ -39,7 +39,7 @@ std::array<Doubt, 4> doubts_of(const study::MatchRemarks& remarks) {
 
 // Returns a sentence if there are too few pairs for a verdict. what: word for the tested things, such as "pairings".
 std::string too_few(std::uint64_t pairs, const statistics::PowerDesign& design, const char* what) {
-  const auto needed = static_cast<std::uint64_t>(statistics::smallest_pairs(design.alpha, design.family, design.test));
+  const auto needed = static_cast<std::uint64_t>(statistics::smallest_pairs(design));
   if (pairs >= needed) return {};
   return fmt::format("{} cannot give a verdict: at least {} are needed{}", pairs_in_words(pairs), needed,
                      design.family == 1 ? std::string() : fmt::format(" with {} {}", design.family, what));

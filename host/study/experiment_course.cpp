@@ -150,7 +150,8 @@ MeanEstimate Experiment::mean(std::size_t condition, std::size_t measure) const 
 }
 
 MeanEstimate Experiment::difference(const Comparison& comparison, std::size_t measure) const {
-  return difference_of(values(comparison.first, measure), values(comparison.second, measure), plan_.asked.confidence);
+  return mean_of(paired_differences(values(comparison.first, measure), values(comparison.second, measure)),
+                 plan_.asked.confidence);
 }
 
 MeanEstimate Experiment::slope(std::size_t arm, std::size_t measure) const {

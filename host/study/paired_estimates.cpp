@@ -18,12 +18,6 @@
 namespace regista::study {
 namespace {
 
-std::vector<double> differences(std::span<const double> first, std::span<const double> second) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) out.push_back(first[i] - second[i]);
-  return out;
-}
-
 std::vector<double> known_of(std::span<const double> values) {
   std::vector<double> out(values.begin(), values.end());
   std::erase_if(out, [](double value) { return std::isnan(value); });
@@ -122,17 +116,15 @@ MeanEstimate mean_of(std::span<const double> values, double confidence) {
   return out;
 }
 
-MeanEstimate difference_of(std::span<const double> first, std::span<const double> second, double confidence) {
-  return mean_of(differences(first, second), confidence);
+std::vector<double> paired_differences(std::span<const double> first, std::span<const double> second) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) out.push_back(first[i] - second[i]);
+  return out;
 }
 
 const char* name(PairMethod method) {
   constexpr std::array names{"student_t", "sign_flip", "sign_flip_normal_law"};
   return names[static_cast<std::size_t>(method)];
-}
-
-std::optional<PairP> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test) {
-  return p_of_values(differences(first, second), test);
 }
 
 std::optional<PairP> p_of_values(std::span<const double> values, PairTest test) {
@@ -240,7 +232,8 @@ PairDifferences pair_differences(const ExperimentPlan& plan, const campaign::Sto
     compared.first = label(plan, each.first);
     compared.second = label(plan, each.second);
     compared.equal = equal_conditions(plan, each);
-    for (const double difference : known_of(differences(course.values(each.first, 0), course.values(each.second, 0))))
+    for (const double difference :
+         known_of(paired_differences(course.values(each.first, 0), course.values(each.second, 0))))
       compared.add(difference);
   }
   return out;

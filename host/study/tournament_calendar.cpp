@@ -13,7 +13,7 @@
 namespace regista::study {
 namespace {
 
-TeamPair by_seed(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
+Pairing by_seed(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
 
 // Pairs teams that have not met, with backtracking. The number of attempts is limited, because few teams after many
 // rounds may have no such pairing at all.
@@ -22,7 +22,7 @@ class Monrad {
   Monrad(std::span<const std::size_t> order, const std::vector<std::vector<char>>& met)
       : order_(order.begin(), order.end()), met_(met), paired_(order.size(), 0) {}
 
-  std::optional<std::vector<TeamPair>> pairs() { return complete() ? std::optional(std::move(out_)) : std::nullopt; }
+  std::optional<std::vector<Pairing>> pairs() { return complete() ? std::optional(std::move(out_)) : std::nullopt; }
 
  private:
   bool complete() {
@@ -45,13 +45,13 @@ class Monrad {
   std::vector<std::size_t> order_;
   const std::vector<std::vector<char>>& met_;
   std::vector<char> paired_;
-  std::vector<TeamPair> out_;
+  std::vector<Pairing> out_;
   int attempts_ = 100'000;
 };
 
 }  // namespace
 
-std::vector<TeamPair> swiss_round(const SwissStanding& standing) {
+std::vector<Pairing> swiss_round(const SwissStanding& standing) {
   std::vector<std::size_t> order(standing.points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t team) { return standing.plays[team] == 0; });
@@ -63,15 +63,15 @@ std::vector<TeamPair> swiss_round(const SwissStanding& standing) {
     std::erase(order, bye);
   }
   if (auto pairs = Monrad(order, standing.met).pairs()) return std::move(*pairs);
-  std::vector<TeamPair> out;
+  std::vector<Pairing> out;
   for (std::size_t i = 0; i + 1 < order.size(); i += 2) out.push_back(by_seed(order[i], order[i + 1]));
   return out;
 }
 
 std::size_t knock_out_rounds(std::size_t teams) { return static_cast<std::size_t>(std::bit_width(teams - 1)); }
 
-std::vector<TeamPair> knock_out_round(std::size_t teams, std::size_t round,
-                                      const std::function<std::size_t(const TeamPair&)>& winner) {
+std::vector<Pairing> knock_out_round(std::size_t teams, std::size_t round,
+                                     const std::function<std::size_t(const Pairing&)>& winner) {
   // The seeds of a bracket of twice the size are these seeds, each beside the seed with which it sums up to the size.
   std::vector<std::optional<std::size_t>> bracket{0};
   while (bracket.size() < std::bit_ceil(teams)) {
@@ -83,7 +83,7 @@ std::vector<TeamPair> knock_out_round(std::size_t teams, std::size_t round,
   for (auto& place : bracket) {
     if (*place >= teams) place.reset();
   }
-  const auto meeting = [&](std::size_t i) -> std::optional<TeamPair> {
+  const auto meeting = [&](std::size_t i) -> std::optional<Pairing> {
     if (!bracket[i] || !bracket[i + 1]) return std::nullopt;
     return by_seed(*bracket[i], *bracket[i + 1]);
   };
@@ -95,7 +95,7 @@ std::vector<TeamPair> knock_out_round(std::size_t teams, std::size_t round,
     }
     bracket = std::move(next);
   }
-  std::vector<TeamPair> out;
+  std::vector<Pairing> out;
   for (std::size_t i = 0; i + 1 < bracket.size(); i += 2) {
     if (const auto pair = meeting(i)) out.push_back(*pair);
   }
@@ -163,9 +163,8 @@ void Calendar::draw(std::vector<std::size_t> pairings) {
   drawn_.push_back(std::move(pairings));
 }
 
-std::size_t Calendar::index_of(const TeamPair& teams) const {
-  const auto found = std::ranges::find_if(
-      pairings_, [&](const Pairing& each) { return each.first == teams[0] && each.second == teams[1]; });
+std::size_t Calendar::index_of(const Pairing& teams) const {
+  const auto found = std::ranges::find(pairings_, teams);
   assert(found != pairings_.end());
   return static_cast<std::size_t>(found - pairings_.begin());
 }

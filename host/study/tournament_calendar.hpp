@@ -3,7 +3,6 @@
 // matches. In Swiss and knock-out tournaments, results decide who meets in a round.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -18,9 +17,7 @@
 
 namespace regista::study {
 
-// --- Draws of rounds. Teams are indices, and an earlier team is seeded higher.
-
-using TeamPair = std::array<std::size_t, 2>;  // the higher seeded team first
+// --- Draws of rounds. An earlier team is seeded higher, and stands first in a pairing.
 
 // What a Swiss tournament knows of its earlier rounds, by team.
 struct SwissStanding {
@@ -33,15 +30,15 @@ struct SwissStanding {
 // Draws a round after Monrad: teams stand in the order of their points, and each meets the next one that it has not
 // met. If that leaves teams over, the draw is changed from its end, and two teams meet again only if nothing else is
 // possible. With an odd number of teams, the last team that had no bye gets one: it has no opponent in this round.
-std::vector<TeamPair> swiss_round(const SwissStanding& standing);
+std::vector<Pairing> swiss_round(const SwissStanding& standing);
 
 // The usual number of rounds: as many as a knock-out of these teams has.
 std::size_t knock_out_rounds(std::size_t teams);
 
 // Draws a round of a knock-out, from 0. The higher seeds meet as late as possible, and have byes in the first round if
 // the number of teams is no power of two. winner: decides a meeting of an earlier round.
-std::vector<TeamPair> knock_out_round(std::size_t teams, std::size_t round,
-                                      const std::function<std::size_t(const TeamPair&)>& winner);
+std::vector<Pairing> knock_out_round(std::size_t teams, std::size_t round,
+                                     const std::function<std::size_t(const Pairing&)>& winner);
 
 // --- The schedule.
 
@@ -78,7 +75,7 @@ class Calendar {
   std::span<const std::vector<std::size_t>> drawn() const { return drawn_; }
   void draw(std::vector<std::size_t> pairings);
   std::uint64_t drawn_matches() const { return first_of_round_.back(); }
-  std::size_t index_of(const TeamPair& teams) const;
+  std::size_t index_of(const Pairing& teams) const;
 
  private:
   std::vector<Pairing> pairings_;

@@ -171,15 +171,15 @@ void Tournament::run(const PlayRound& play) {
 }
 
 std::vector<std::size_t> Tournament::next_round() const {
-  std::vector<TeamPair> meetings;
+  std::vector<Pairing> meetings;
   if (plan_.asked.format == config::Tournament::Format::knock_out) {
     meetings = knock_out_round(plan_.teams.size(), calendar_.drawn().size(),
-                               [this](const TeamPair& pair) { return winner(meetings_[calendar_.index_of(pair)]); });
+                               [this](const Pairing& pair) { return winner(meetings_[calendar_.index_of(pair)]); });
   } else {
     meetings = swiss_round(swiss_standing());
   }
   std::vector<std::size_t> out;
-  for (const TeamPair& each : meetings) out.push_back(calendar_.index_of(each));
+  for (const Pairing& each : meetings) out.push_back(calendar_.index_of(each));
   return out;
 }
 

@@ -8,6 +8,7 @@
 // opening k modulo the number of openings. With a test, drawn_opening() selects the opening.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -63,6 +64,7 @@ bool is_disturbance(const campaign::Input& input, std::size_t side);
 
 struct Pairing {
   std::size_t first, second;  // indices of the plan's teams
+  friend auto operator<=>(const Pairing&, const Pairing&) = default;
 };
 
 struct TournamentPlan {

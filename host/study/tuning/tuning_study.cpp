@@ -207,7 +207,8 @@ Slice slice_of(std::size_t parameter, double tuned_value, std::span<const double
   out.parameter = parameter;
   std::vector<std::vector<double>> all{tuned};
   for (std::size_t i = 0; i < values.size(); ++i) {
-    out.points.push_back({values[i], mean_of(scores[i], confidence), difference_of(scores[i], tuned, confidence)});
+    out.points.push_back(
+        {values[i], mean_of(scores[i], confidence), mean_of(paired_differences(scores[i], tuned), confidence)});
     all.push_back(scores[i]);
   }
   out.points.push_back({tuned_value, mean_of(tuned, confidence), {}});
