@@ -43,7 +43,6 @@ std::string forfeit_text(const std::string& label, const campaign::Failure& fail
 // Returns ", could not be played: ..." or ", forfeited by small: ..."; empty for a match that was played to its end.
 std::string how_it_ended(const campaign::MatchResult& decided, const std::array<std::string, 2>& sides);
 
-// Words for the forfeits of a study.
 struct ForfeitWords {
   std::function<std::string(std::size_t team)> label;     // returns the name of a team
   std::function<std::string(std::uint64_t match)> again;  // makes the command that plays a single match; may be empty

@@ -54,8 +54,8 @@ class TournamentReport final : public StudyReport {
       const std::string from_page =
           fs::absolute(file).lexically_relative(fs::absolute(files.page).parent_path()).generic_string();
       const std::string shown = study::beside(files.results, fmt::format("-{}.html", match + 1)).filename().string();
-      return RecordingLink{from_page, process::command_line(std::vector<std::string>{"view", as_argument(from_page),
-                                                                                     "-o", as_argument(shown)})};
+      return RecordingLink{from_page,
+                           process::command_line({"view", as_argument(from_page), "-o", as_argument(shown)})};
     };
     const TournamentView view = this->view();
     const TournamentPage page{*record_, files.documents, page_recordings(view, *record_, files.results), link};
@@ -354,12 +354,12 @@ std::string title(const TournamentView& view) {
                               ? fmt::format("{} vs {}", view.shown(0), view.shown(1))
                               : fmt::format("{} teams, {}", view.plan.teams.size(), format_in_words(view.plan));
   if (const std::uint64_t rounds = view.plan.rounds(); rounds > 0) {
-    return fmt::format("{} ({} rounds, {} each, seeds from {}{})", who, rounds,
-                       texts::plural(view.plan.pairs(), "pair", "pairs"), view.plan.first_seed(), games_of(view.plan));
+    return fmt::format("{} ({} rounds, {} each, seeds from {}{})", who, rounds, pairs_in_words(view.plan.pairs()),
+                       view.plan.first_seed(), games_of(view.plan));
   }
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // includes pairs of teams that were set aside
-  std::string out = fmt::format("{} ({}", who, texts::plural(played, "pair", "pairs"));
+  std::string out = fmt::format("{} ({}", who, pairs_in_words(played));
   if (played < view.plan.pairs() && !view.plan.ends_by_the_clock_alone())
     out += fmt::format(" of {}", view.plan.pairs());
   if (pairings > 1) out += " each";

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of a tournament. The report depends only on the plan and on the results in order. Interruptions of the
-// study and the number of worker processes change no byte of the report. For two teams, its lines have the form that
-// users of programs for tests of chess engines know.
+// The report of a tournament. For two teams, its lines have the form that users of programs for tests of chess engines
+// know.
 #pragma once
 
 #include <filesystem>

@@ -96,7 +96,7 @@ void add_metric(const TournamentView& view, const Meeting& meeting, Section& lin
              Readers::terminal);
   if (meeting.pairs_without_metric > 0) {
     lines.line(fmt::format("{} without it: a match was forfeited, or has no such number",
-                           texts::plural(meeting.pairs_without_metric, "pair", "pairs")),
+                           pairs_in_words(meeting.pairs_without_metric)),
                Readers::terminal);
   }
   table.row({"Difference of " + test.value, fmt::format("{:+.4g}", estimate.value),

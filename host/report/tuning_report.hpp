@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The report of a tuning: its numbers, which text, JSON, figures and page share, and its sentences. A sentence calls
 // values "better" only if they were better on seeds that the search did not use. No sentence claims that two
-// teams are equal. The report depends only on plan and record: it contains no times and no rates.
+// teams are equal. The report contains no times and no rates.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -98,7 +98,6 @@ struct TuningVerdict {
 };
 TuningVerdict tuning_verdict(const TuningView& view);
 
-// Words for tables.
 const char* name(study::VerifiedAs finding);                // for example "undecided"
 bool has_unit(const study::Parameter& parameter);           // false if the unit is "1", a plain number
 std::string range_text(const study::Parameter& parameter);  // for example "0.1 to 10 m"

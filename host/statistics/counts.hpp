@@ -35,7 +35,6 @@ struct OutcomeCounts {
 using GameCounts = OutcomeCounts<GameOutcome, 3>;  // losses, draws, wins
 using PairCounts = OutcomeCounts<PairOutcome, 5>;  // LL, LD, WL + DD, WD, WW
 
-// Returns the number of games or pairs.
 template <class Outcome, std::size_t outcomes>
 Count total(const OutcomeCounts<Outcome, outcomes>& counts) {
   return std::accumulate(counts.seen.begin(), counts.seen.end(), Count{0});

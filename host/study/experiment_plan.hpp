@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of an experiment: arms, values of a sweep, seeds, number of matches, measures and the deciding test. The
-// plan is fixed before the first match. The plan and the results in their order determine all findings.
+// The plan of an experiment: arms, values of a sweep, seeds, number of matches, measures and the deciding test.
 //
 // A condition is an arm at one value of the sweep; without a sweep, each arm is a condition. A pair is a match with the
 // arm's team at home, and the same match with the sides swapped. In all conditions, pair k has the same seed, opening
@@ -76,8 +75,7 @@ struct ExperimentPlan {
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 };
 
-// File of an arm's team.
-const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);
+const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);  // file of an arm's team
 
 // Makes all conditions and their jobs from `asked`. Jobs keep the inputs that they already have. document: the document
 // from which `asked` was read, to which errors refer; may be absent. Throws config::Error for impossible settings.

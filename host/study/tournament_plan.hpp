@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of a tournament: teams, order of matches, scenes and the deciding test. The plan is fixed before the first
-// match. The plan and the results in their order determine all findings.
+// The plan of a tournament: teams, order of matches, scenes and the deciding test.
 //
 // The order of matches, from the outer to the inner loop, is: pairs, pairings, and the two matches of a pairing. The
 // pairing's first team is at home in the first match; the second match is the same with the sides swapped. All matches

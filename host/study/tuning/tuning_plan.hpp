@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of a tuning: parameters, opponents, objective, algorithm, budget and test. The plan is fixed before the
-// first match. The plan and the results of matches determine everything else.
+// The plan of a tuning: parameters, opponents, objective, algorithm, budget and test.
 //
 // The program scores pairs of matches. For each opponent, a pair has a match with the tuned team at home, and the same
 // match with the sides swapped. Pairs are numbered from 0 in each of four stages. The stages have disjoint seeds:
@@ -46,7 +45,6 @@ struct TuningObjective {
   friend bool operator==(const TuningObjective&, const TuningObjective&) = default;
 };
 
-// An opponent of the tuned team.
 struct TuningOpponent {
   std::string label, file;
   double weight = 1.0;                // the weights of a plan's opponents sum up to 1
