@@ -150,7 +150,7 @@ bool metric_signs(const Labelled& told) {
 }
 
 bool experiment(std::span<const double> first, std::span<const double> second, study::PairTest test) {
-  const auto found = study::p_of_difference(first, second, test);
+  const auto found = study::p_of_values(study::paired_differences(first, second), test);
   return found && found->p <= alpha;
 }
 

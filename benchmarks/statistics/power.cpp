@@ -77,7 +77,7 @@ int main(int count, char** words) {
       const PowerDesign design{0.05, family, 0.8, PairedTest::sign_flip};
       std::printf("| %s | %d |", law.name, static_cast<int>(family));
       for (const std::int64_t pairs : sizes) {
-        if (pairs < smallest_pairs(design.alpha, family)) {
+        if (pairs < smallest_pairs(design)) {
           std::printf(" – |");
           continue;
         }

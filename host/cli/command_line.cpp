@@ -10,15 +10,12 @@
 #include <csignal>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "campaign/fork_server.hpp"
 #include "campaign/play_job.hpp"
 #include "campaign/worker.hpp"
-#include "cli/common_options.hpp"
 #include "cli/study_commands.hpp"
 #include "command/options_declared.hpp"
 #include "output/replaced_file.hpp"

@@ -7,11 +7,10 @@
 #include <array>
 #include <cassert>
 #include <iterator>
-#include <string_view>
 #include <utility>
 #include <variant>
 
-#include "cli/command_line.hpp"
+#include "texts/message.hpp"
 
 namespace regista::cli {
 namespace {
@@ -118,9 +117,7 @@ void add_plugin_folders(Command& command, std::vector<std::string>& folders) {
 }
 
 std::vector<std::string> folders_of(const plugin::Catalogue& catalogue) {
-  std::vector<std::string> out;
-  for (const std::filesystem::path& each : catalogue.folders()) out.push_back(each.string());
-  return out;
+  return texts::names_of(catalogue.folders(), [](const auto& each) { return each.string(); });
 }
 
 const std::string& the_only(const std::vector<std::string>& words, std::string_view expected, std::string_view advice) {

@@ -7,15 +7,10 @@
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <span>
-#include <string>
 #include <system_error>
-#include <vector>
 
-#include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
 #include "config/difference.hpp"
-#include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/reference.hpp"
 #include "config/rules.hpp"
@@ -26,7 +21,7 @@
 #include "output/replaced_file.hpp"
 #include "plugin/info.hpp"
 #include "recording/field_svg.hpp"
-#include "results/study_kind.hpp"
+#include "report/number.hpp"
 #include "study/document_check.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -36,7 +31,7 @@ namespace {
 
 // --- `regista config check FILE...`: checks documents (study/document_check.hpp).
 
-using Json = nlohmann::ordered_json;
+using report::Json;
 
 constexpr auto config_check_examples = R"(Examples:
   regista config check configs/teams/paper.yaml
@@ -95,8 +90,7 @@ int check(const ConfigCheckOptions& options, const Invocation& invocation) {
   std::vector<study::StudyCheck> studies;
   for (const results::StudyKind& kind : invocation.studies) {
     studies.push_back({kind.document, [&](const config::Node& document, config::Mistakes& mistakes) {
-                         if (kind.check) return kind.check(document, options.plugins, catalogue, mistakes);
-                         mistakes.attempt("", [&] { kind.plan(document, options.plugins, catalogue); });
+                         kind.plan(document, options.plugins, catalogue, mistakes);
                        }});
   }
   bool sound = true;
@@ -109,9 +103,7 @@ int check(const ConfigCheckOptions& options, const Invocation& invocation) {
     else
       print(checked);
   }
-  if (options.json) {
-    output::print(Json{{"documents", documents}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
-  }
+  if (options.json) output::print(report::text_of({{"documents", documents}}, 2));
   return sound ? exit_done : exit_bad_input;
 }
 
@@ -171,7 +163,7 @@ int diff(const PlainOptions& options, const Invocation& invocation) {
     if (!options.json)
       output::print(fmt::format("{}: {} | {}\n", each.path, in_words(each.first), in_words(each.second)));
   }
-  if (options.json) output::print(lines.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  if (options.json) output::print(report::text_of(lines, 2));
   return found.empty() ? exit_done : exit_no;
 }
 
@@ -248,27 +240,21 @@ std::array<double, 2> place(const std::string& text) {
   return read.point;
 }
 
-const config::RoleList& list_of(const config::TeamDocument& page, const std::string& name) {
-  if (name.empty()) return page.role_lists.front();
-  const auto found = std::ranges::find(page.role_lists, name, &config::RoleList::name);
-  if (found != page.role_lists.end()) return *found;
-  std::vector<std::string> names;
-  for (const config::RoleList& each : page.role_lists) names.push_back(each.name);
-  throw BadInput("--list: " + texts::unknown("list of roles", name, "", names));
+// Returns the thing with this name. Throws BadInput if there is none. what: the kind of thing.
+template <class Thing>
+const Thing& named(const std::vector<Thing>& things, const std::string& name, const char* option, const char* what) {
+  const auto found = std::ranges::find(things, name, &Thing::name);
+  if (found != things.end()) return *found;
+  throw BadInput(option + texts::unknown(what, name, "", texts::names_of(things, &Thing::name)));
 }
 
 // Returns a context's list of roles, with the context's targets.
 config::RoleList list_in(const config::Node& document, const std::string& name) {
   const config::Team team = config::read_document<config::Team>(document);
-  const auto context = std::ranges::find(team.contexts, name, &config::Context::name);
-  if (context == team.contexts.end()) {
-    std::vector<std::string> names;
-    for (const config::Context& each : team.contexts) names.push_back(each.name);
-    throw BadInput("--context: " + texts::unknown("context", name, "", names));
-  }
-  config::RoleList list = team.role_lists[static_cast<std::size_t>(context->role_list)];
+  const config::Context& context = named(team.contexts, name, "--context: ", "context");
+  config::RoleList list = team.role_lists[static_cast<std::size_t>(context.role_list)];
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
-    list.roles[i].target = context->target_of(i, list.roles[i]);
+    list.roles[i].target = context.target_of(i, list.roles[i]);
   }
   return list;
 }
@@ -284,9 +270,8 @@ bool has(const config::RoleList& list, const std::string& role) {
                                  other.name, list.name));
     }
   }
-  std::vector<std::string> names;
-  for (const config::Role& each : list.roles) names.push_back(each.name);
-  throw BadInput("--role: " + texts::unknown("role", role, list.name, names));
+  throw BadInput("--role: " +
+                 texts::unknown("role", role, list.name, texts::names_of(list.roles, &config::Role::name)));
 }
 
 std::vector<const config::Role*> roles_of(const config::TeamDocument& page, const config::RoleList& list,
@@ -311,8 +296,10 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   const config::TeamDocument page = config::read_team_document(document);
   const config::Rules rules =
       options.rules.empty() ? config::Rules{} : config::read_document<config::Rules>(options.rules);
-  const config::RoleList list =
-      options.context.empty() ? list_of(page, options.list) : list_in(document, options.context);
+  const config::RoleList list = !options.context.empty() ? list_in(document, options.context)
+                                : options.list.empty()
+                                    ? page.role_lists.front()
+                                    : named(page.role_lists, options.list, "--list: ", "list of roles");
   const std::vector<const config::Role*> roles = roles_of(page, list, options.roles);
   const std::string shown = options.context.empty() ? "the list " + list.name : "the context " + options.context;
   std::vector<std::array<double, 2>> balls;

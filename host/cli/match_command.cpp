@@ -7,16 +7,12 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "campaign/blame.hpp"
-#include "campaign/engine.hpp"
 #include "campaign/forked_match.hpp"
 #include "campaign/match_setup.hpp"
-#include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
 #include "config/scalar.hpp"
 #include "mcap/file_io.hpp"

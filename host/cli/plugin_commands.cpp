@@ -4,18 +4,13 @@
 #include <regista/abi.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <sstream>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "check/perturbed_rerun.hpp"
 #include "check/plugin_check.hpp"
-#include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
 #include "config/errors.hpp"
 #include "config/node.hpp"
@@ -33,6 +28,8 @@
 namespace regista::cli {
 namespace {
 
+using report::Json;
+
 // --- `regista plugin list`: lists the plugins, the refused files and the searched folders.
 
 constexpr auto plugin_list_examples = R"(Examples:
@@ -40,7 +37,6 @@ constexpr auto plugin_list_examples = R"(Examples:
   regista plugin list --plugins ~/my_plugins --json)";
 
 std::string list_json(const plugin::Catalogue& catalogue) {
-  using Json = nlohmann::ordered_json;
   Json plugins = Json::array(), refused = Json::array();
   for (const plugin::Found& found : catalogue.plugins()) plugins.push_back(report::plugin_json(found));
   for (const plugin::Refused& each : catalogue.refused()) {
@@ -58,12 +54,11 @@ constexpr auto plugin_info_examples = R"(Examples:
 // Returns all plugins with this id. There may be several, because two folders may hold two builds of a plugin.
 std::vector<const plugin::Found*> find(const plugin::Catalogue& catalogue, const std::string& id) {
   std::vector<const plugin::Found*> found;
-  std::vector<std::string> known;
   for (const plugin::Found& plugin : catalogue.plugins()) {
     if (plugin.descriptor->id == id) found.push_back(&plugin);
-    known.emplace_back(plugin.descriptor->id);
   }
   if (!found.empty()) return found;
+  const auto known = texts::names_of(catalogue.plugins(), [](const auto& each) { return each.descriptor->id; });
   throw BadInput(fmt::format("plugin info: {}; searched: {}", texts::unknown("plugin", id, "", known),
                              texts::join(folders_of(catalogue))));
 }
@@ -73,7 +68,7 @@ int describe(const PlainOptions& options, const Invocation& invocation) {
       the_only(options.words, "plugin info: expected one id of a plugin", "; see: regista plugin list");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   std::string out;
-  auto json = nlohmann::ordered_json::array();
+  auto json = Json::array();
   for (const plugin::Found* plugin : find(catalogue, id)) {
     if (!out.empty()) out += '\n';
     out += plugin::info_text(*plugin);
@@ -263,16 +258,15 @@ std::string summary_of(const check::Report& report) {
   return out + '\n';
 }
 
-nlohmann::ordered_json json_of(const check::Report& report) {
-  nlohmann::ordered_json checks = nlohmann::ordered_json::array();
+Json json_of(const check::Report& report) {
+  Json checks = Json::array();
   for (const check::Verdict& each : report.verdicts) {
-    checks.push_back(
-        {{"plugin", each.plugin.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(each.plugin)},
-         {"check", each.check},
-         {"status", check::word(each.status)},
-         {"promise", each.promise},
-         {"lines", each.lines},
-         {"seconds", each.seconds}});
+    checks.push_back({{"plugin", each.plugin.empty() ? Json(nullptr) : Json(each.plugin)},
+                      {"check", each.check},
+                      {"status", check::word(each.status)},
+                      {"promise", each.promise},
+                      {"lines", each.lines},
+                      {"seconds", each.seconds}});
   }
   return {{"file", report.file}, {"passed", report.passed()}, {"checks", checks}};
 }
@@ -297,9 +291,9 @@ int run(const PluginCheckOptions& options, const Invocation& invocation) {
   const std::vector<check::Report> reports =
       check::check_files({options.files.begin(), options.files.end()}, wanted, listener);
   if (options.json) {
-    auto json = nlohmann::ordered_json::array();
+    auto json = Json::array();
     for (const check::Report& each : reports) json.push_back(json_of(each));
-    output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+    output::print(report::text_of(json, 2));
   }
   return std::ranges::all_of(reports, &check::Report::passed) ? exit_done : exit_no;
 }

@@ -10,21 +10,14 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "cli/command_line.hpp"
-#include "cli/common_options.hpp"
 #include "cli/study_commands.hpp"
 #include "config/scalar.hpp"
 #include "match/metric_table.hpp"
-#include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "plugin/shared_object.hpp"
 #include "report/given_results.hpp"
 #include "results/results_file.hpp"
-#include "results/study_run.hpp"
 #include "study/paired_estimates.hpp"
 #include "study/study.hpp"
 #include "texts/message.hpp"
@@ -127,33 +120,43 @@ int tell(const std::string& file, const campaign::Store& store, const PowerOptio
       "power: {} is a tuning, whose verification is a sequential test; name a tournament or an experiment", file));
 }
 
-std::optional<std::int64_t> pairs_of(const std::string& plan) {
-  if (study::study_of(plan) == study::experiment_study)
-    return static_cast<std::int64_t>(study::experiment_plan_from_json(plan).pairs_to_its_end());
-  const study::TournamentPlan tournament = study::tournament_plan_from_json(plan);
-  const std::uint64_t pairs = tournament.pairs_to_its_end();
+// Returns the number of pairs that the document of the study sets; nullopt if it sets none.
+std::optional<std::int64_t> pairs_of(const config::Node& document) {
+  const auto number = [&](const char* key) -> std::optional<double> {
+    return document[key] ? config::typed_number(document[key].text()) : std::nullopt;
+  };
+  if (const auto pairs = number("pairs")) return static_cast<std::int64_t>(*pairs);
+  if (const auto matches = number("matches")) return static_cast<std::int64_t>(*matches) / 2;
+  return std::nullopt;
+}
+
+template <class Plan>
+std::optional<std::int64_t> pairs_of(const Plan& plan) {
+  const std::uint64_t pairs = plan.pairs_to_its_end();
   return pairs == study::most_pairs ? std::nullopt : std::optional(static_cast<std::int64_t>(pairs));
 }
 
+// Prints the answer from stored results. document: of the study whose pilot they are; null: they are the study's own.
 int tell_results(const std::string& named, const PowerOptions& options, const Asked& asked,
-                 std::optional<std::int64_t> own_pairs, bool own_are_stored) {
+                 const config::Node* document = nullptr) {
   const std::string file = texts::one_line(named);
   try {
     const campaign::Store store = results::read_results(named);
     const std::string plan = results::stored_plan(store), study = study::study_of(plan);
     if (study == study::tuning_study) refuse_tuning(file);
-    if (own_are_stored) own_pairs = pairs_of(plan);
     if (study == study::tournament_study) {
       const study::TournamentPlan played = study::tournament_plan_from_json(plan);
-      return tell(file, store, options, asked, played, measure_of(file, options, study::goals_value), own_pairs,
-                  played.asked.test.has_value(), "Pairing", "pairings");
+      return tell(file, store, options, asked, played, measure_of(file, options, study::goals_value),
+                  document != nullptr ? pairs_of(*document) : pairs_of(played), played.asked.test.has_value(),
+                  "Pairing", "pairings");
     }
     if (study == study::experiment_study) {
       const study::ExperimentPlan played = study::experiment_plan_from_json(plan);
       const std::string measure = measure_of(file, options, played.primary());
       if (played.comparisons().empty())
         throw BadInput(fmt::format("power: {} has one arm, which is compared with nothing", file));
-      return tell(file, store, options, asked, played, measure, own_pairs, false, "Comparison", "comparisons");
+      return tell(file, store, options, asked, played, measure,
+                  document != nullptr ? pairs_of(*document) : pairs_of(played), false, "Comparison", "comparisons");
     }
     throw BadInput(fmt::format("power: {} is neither a tournament nor an experiment", file));
   } catch (const std::invalid_argument& error) {
@@ -175,16 +178,6 @@ const results::StudyKind& kind_asked(const PowerOptions& options) {
 // Returns another seed for the pilot, so that pilot and study share pairs only by chance.
 std::string seed_of_pilot(const std::string& seed) {
   return std::to_string(plugin::content_hash_32("pilot " + seed) & 0x7fffffffu);
-}
-
-// Returns the number of pairs that the document of the study sets; nullopt if it sets none.
-std::optional<std::int64_t> pairs_asked(const config::Node& document) {
-  const auto number = [&](const char* key) -> std::optional<double> {
-    return document[key] ? config::typed_number(document[key].text()) : std::nullopt;
-  };
-  if (const auto pairs = number("pairs")) return static_cast<std::int64_t>(*pairs);
-  if (const auto matches = number("matches")) return static_cast<std::int64_t>(*matches) / 2;
-  return std::nullopt;
 }
 
 int play_pilot(PowerOptions options, output::OutputFiles outputs, const Asked& asked, const Invocation& invocation) {
@@ -212,7 +205,7 @@ int play_pilot(PowerOptions options, output::OutputFiles outputs, const Asked& a
     options.resume = true;  // a message then says that the same command continues the pilot
     results::play_matches(*report, options, invocation, store, {});
   }
-  return tell_results(options.results, options, asked, pairs_asked(document), false);
+  return tell_results(options.results, options, asked, &document);
 }
 
 int power(const PowerOptions& options, const Command& command, const Invocation& invocation) {
@@ -231,7 +224,7 @@ int power(const PowerOptions& options, const Command& command, const Invocation&
     throw BadInput(fmt::format("power: {} is of a study that a pilot is played for; {} holds results", each.name,
                                texts::one_line(options.file)));
   }
-  return tell_results(options.file, options, asked, std::nullopt, true);
+  return tell_results(options.file, options, asked);
 }
 
 }  // namespace

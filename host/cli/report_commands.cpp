@@ -20,6 +20,7 @@
 #include "config/scalar.hpp"
 #include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
+#include "report/number.hpp"
 #include "report/study_report.hpp"
 #include "results/replay.hpp"
 #include "results/results_file.hpp"
@@ -201,7 +202,7 @@ int run(ReportOptions options, const output::OutputFiles& outputs, const Invocat
 // --- `regista results`: lists the studies whose results are in a folder, with their findings.
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using report::Json;
 
 constexpr auto results_examples = R"(Examples:
   regista results
@@ -304,7 +305,7 @@ int list(const ResultsOptions& options, const Invocation& invocation) {
       text += (text.empty() ? "" : "\n") + text_of(found);
   }
   if (options.json) {
-    output::print(Json{{"results", all}}.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+    output::print(report::text_of({{"results", all}}, 2));
   } else if (text.empty()) {
     complain(fmt::format("no results in {}", options.folder.empty() ? "this folder" : texts::one_line(options.folder)));
   } else {

@@ -7,28 +7,20 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
-#include <string>
-#include <system_error>
 #include <utility>
-#include <vector>
 
 #include "campaign/match_inputs.hpp"
 #include "campaign/match_setup.hpp"
-#include "cli/command_line.hpp"
-#include "cli/common_options.hpp"
 #include "cli/study_commands.hpp"
 #include "cluster/run.hpp"
 #include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
 #include "cluster/task.hpp"
-#include "config/documents.hpp"
 #include "config/scalar.hpp"
-#include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
+#include "report/number.hpp"
 #include "results/results_file.hpp"
-#include "results/study_run.hpp"
 #include "study/tournament_plan.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -66,8 +58,7 @@ int play_here(const RunOptions& options, const output::OutputFiles& outputs, con
         "run: {0} is a predictor study, which needs recordings: regista evaluate-predictor {0} --data RECORDING",
         texts::one_line(options.file)));
   }
-  std::vector<std::string> names;
-  for (const results::StudyKind& each : invocation.studies) names.emplace_back(each.document.name);
+  const auto names = texts::names_of(invocation.studies, [](const auto& each) { return each.document.name; });
   throw BadInput(fmt::format("run: {} is no study but of the kind {}; studies are {}", texts::one_line(options.file),
                              kind.name, texts::join(names)));
 }
@@ -280,7 +271,7 @@ int tell_status(const FolderOptions& options) {
                                       {"refused_nodes", progress.refused_nodes},
                                       {"remarks", progress.remarks},
                                       {"finding", progress.finding}};
-    output::print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
+    output::print(report::text_of(json, 2));
     return exit_done;
   }
   std::string text = fmt::format("{}: {}\n", texts::one_line(progress.title), name_of(progress.state));

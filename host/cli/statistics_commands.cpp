@@ -6,14 +6,8 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
-#include "command/terminal.hpp"
-#include "config/documents.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
 #include "config/scalar.hpp"
@@ -113,7 +107,7 @@ report::SequentialTestOfCounts evaluate(const SprtOptions& options) {
   if (options.elo.empty()) throw BadInput("sprt: which hypotheses? Say --elo ELO0,ELO1, for example --elo 0,10");
   design.hypotheses = parse_hypotheses("--elo", options.elo);
   design.rates = parse_rates(options.alpha, options.beta);
-  return report::test_counts(parse_counts(options.counts), options.model, design);
+  return report::test_counts(parse_counts(options.counts), design);
 }
 
 // --- `regista rank RESULTS.csv`: a ranking of teams from external results.

@@ -10,19 +10,13 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <utility>
 
-#include "cli/command_line.hpp"
-#include "cli/common_options.hpp"
-#include "output/output_files.hpp"
 #include "output/replaced_file.hpp"
 #include "report/experiment_report.hpp"
 #include "report/tournament_report.hpp"
 #include "report/tuning_report.hpp"
 #include "results/results_file.hpp"
-#include "results/study_run.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/study.hpp"
 #include "study/tournament_plan.hpp"
@@ -178,7 +172,8 @@ Plan stored(Plan plan, const campaign::Store* store) {
 }
 
 template <class Plan>
-results::PlannedStudy planned(Plan plan, std::vector<std::string> documents = {}) {
+results::PlannedStudy planned(Plan plan, const config::Mistakes& mistakes, std::vector<std::string> documents = {}) {
+  if (!mistakes.none()) return {};
   plan.program = REGISTA_VERSION;
   return {to_json(plan), plan.asked.name, std::move(documents)};
 }
@@ -207,7 +202,8 @@ results::PlannedStudy planned(const results::StudyKind& kind, StudyOptions& opti
   if (options.end_of_time && kind.until_the_clock) document = kind.until_the_clock(document);
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
   name_missing_plugins(document, catalogue);
-  results::PlannedStudy out = kind.plan(document, options.plugins, catalogue);
+  config::Mistakes first(config::Mistakes::After::stop);
+  results::PlannedStudy out = kind.plan(document, options.plugins, catalogue, first);
   tell_what_is_not_used(catalogue, options.plugins);
   options.plugin_files = catalogue.used_files();
   if (options.results.empty()) options.results = out.name + ".db";
@@ -356,60 +352,56 @@ void add_tune(Command& parent, const Invocation& invocation) {
 
 std::span<const results::StudyKind> study_kinds() {
   using config::DocumentKind;
+  using config::Mistakes;
+  using config::Node;
+  using plugin::Catalogue;
   static const std::array<results::StudyKind, 3> kinds{{
-      {study::tournament_study,
-       "a tournament",
-       DocumentKind::tournament,
-       [](const config::Node& document, const Folders& plugins, const plugin::Catalogue& catalogue) {
-         study::PlannedTournament found = study::planned_tournament(document, plugins, catalogue);
-         return planned(std::move(found.plan), std::move(found.documents));
-       },
-       [](const std::string& plan, const campaign::Store* store, report::CommandOf again) -> Report {
+      {.name = study::tournament_study,
+       .article = "a tournament",
+       .document = DocumentKind::tournament,
+       .plan =
+           [](const Node& document, const Folders& plugins, const Catalogue& catalogue, Mistakes& mistakes) {
+             study::PlannedTournament found = study::planned_tournament(document, plugins, catalogue, mistakes);
+             return planned(std::move(found.plan), mistakes, std::move(found.documents));
+           },
+       .report = [](const std::string& plan, const campaign::Store* store, report::CommandOf again) -> Report {
          return report::tournament_report(stored(study::tournament_plan_from_json(plan), store), std::move(again));
        },
-       false,
-       with_pairs<study::tournament_plan_from_json>,
-       without_end<study::tournament_plan_from_json>,
-       study::until_the_clock,
-       {},
-       study::check_tournament},
-      {study::experiment_study,
-       "an experiment",
-       DocumentKind::experiment,
-       [](const config::Node& document, const Folders& plugins, const plugin::Catalogue& catalogue) {
-         return planned(study::planned_experiment(document, plugins, catalogue));
-       },
-       [](const std::string& plan, const campaign::Store* store, report::CommandOf again) -> Report {
+       .figures = false,
+       .with_pairs = with_pairs<study::tournament_plan_from_json>,
+       .without_end = without_end<study::tournament_plan_from_json>,
+       .until_the_clock = study::until_the_clock},
+      {.name = study::experiment_study,
+       .article = "an experiment",
+       .document = DocumentKind::experiment,
+       .plan =
+           [](const Node& document, const Folders& plugins, const Catalogue& catalogue, Mistakes& mistakes) {
+             return planned(study::planned_experiment(document, plugins, catalogue, mistakes), mistakes);
+           },
+       .report = [](const std::string& plan, const campaign::Store* store, report::CommandOf again) -> Report {
          return report::experiment_report(stored(study::experiment_plan_from_json(plan), store), std::move(again));
        },
-       true,
-       with_pairs<study::experiment_plan_from_json>,
-       without_end<study::experiment_plan_from_json>,
-       {},
-       {},
-       study::check_experiment},
-      {study::tuning_study,
-       "a tuning",
-       DocumentKind::tuning,
-       [](const config::Node& document, const Folders& plugins, const plugin::Catalogue& catalogue) {
-         return planned(study::planned_tuning(document, plugins, catalogue));
-       },
-       [](const std::string& plan, const campaign::Store* store, const report::CommandOf&) -> Report {
+       .with_pairs = with_pairs<study::experiment_plan_from_json>,
+       .without_end = without_end<study::experiment_plan_from_json>},
+      {.name = study::tuning_study,
+       .article = "a tuning",
+       .document = DocumentKind::tuning,
+       .plan =
+           [](const Node& document, const Folders& plugins, const Catalogue& catalogue, Mistakes& mistakes) {
+             return planned(study::planned_tuning(document, plugins, catalogue, mistakes), mistakes);
+           },
+       .report = [](const std::string& plan, const campaign::Store* store, const report::CommandOf&) -> Report {
          return std::make_unique<report::TuningReport>(
              stored(study::tuning_plan_from_json(plan), store),
              store == nullptr ? study::OutOfTime() : study::stored_end_of_search(*store));
        },
-       true,
-       {},
-       {},
-       {},
-       [](const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,
-          const Invocation& invocation) {
-         TuneOptions tuning;
-         static_cast<campaign::Options&>(tuning) = options;
-         return play_tuning(plan, tuning, outputs, invocation);
-       },
-       study::check_tuning},
+       .play =
+           [](const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,
+              const Invocation& invocation) {
+             TuneOptions tuning;
+             static_cast<campaign::Options&>(tuning) = options;
+             return play_tuning(plan, tuning, outputs, invocation);
+           }},
   }};
   return kinds;
 }

@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "report/figure.hpp"
-#include "texts/html.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {

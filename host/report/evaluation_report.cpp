@@ -32,11 +32,9 @@ std::string consistency_row(std::string_view name, const study::Evaluation& eval
   });
 }
 
-nlohmann::ordered_json document_of(config::PredictorStudy study) {
-  return config::to_json(config::values_of(declare(study)));
-}
+Json document_of(config::PredictorStudy study) { return config::to_json(config::values_of(declare(study))); }
 
-nlohmann::ordered_json errors_json(const study::Errors& errors) {
+Json errors_json(const study::Errors& errors) {
   return {{"median", errors.median}, {"ninetieth_percentile", errors.ninetieth}};
 }
 
@@ -90,26 +88,26 @@ std::string evaluation_text(const config::PredictorStudy& study, const Evaluated
 
 std::string evaluation_json(const config::PredictorStudy& study, const Evaluated& evaluated,
                             const study::Evaluation& evaluation) {
-  nlohmann::ordered_json out{{"study", study.name},
-                             {"predictor", study.predictor.plugin},
-                             {"data", evaluated.data},
-                             {"evaluated",
-                              {{"file", evaluated.file},
-                               {"predictor", {{"file", evaluated.predictor}, {"hash", evaluated.hash}}},
-                               {"program", evaluated.program},
-                               {"document", document_of(study)}}},
-                             {"detections", evaluation.detections},
-                             {"observations", evaluation.observations},
-                             {"starts", evaluation.starts},
-                             {"horizons", nlohmann::ordered_json::array()}};
+  Json out{{"study", study.name},
+           {"predictor", study.predictor.plugin},
+           {"data", evaluated.data},
+           {"evaluated",
+            {{"file", evaluated.file},
+             {"predictor", {{"file", evaluated.predictor}, {"hash", evaluated.hash}}},
+             {"program", evaluated.program},
+             {"document", document_of(study)}}},
+           {"detections", evaluation.detections},
+           {"observations", evaluation.observations},
+           {"starts", evaluation.starts},
+           {"horizons", Json::array()}};
   for (const study::AtHorizon& at : evaluation.horizons) {
-    nlohmann::ordered_json each{{"seconds", at.horizon}, {"truths", at.truths}, {"answers", at.answers}};
+    Json each{{"seconds", at.horizon}, {"truths", at.truths}, {"answers", at.answers}};
     each["error_m"] = {
         {"hold", errors_json(at.hold)}, {"constant", errors_json(at.constant)}, {"decayed", errors_json(at.decayed)}};
     if (at.answers > 0) {
       const study::Consistency& c = at.consistency;
       each["error_m"]["predictor"] = errors_json(at.predictor);
-      const auto ratio = [](const study::ErrorRatio& of) -> nlohmann::ordered_json {
+      const auto ratio = [](const study::ErrorRatio& of) -> Json {
         return {{"value", of.value}, {"interval", {of.low, of.high}}};
       };
       each["to_decayed"] = {{"median", ratio(at.to_decayed.median)},

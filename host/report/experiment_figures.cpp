@@ -11,7 +11,6 @@
 #include <iterator>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 
 #include "report/metric_reference.hpp"
@@ -41,14 +40,6 @@ std::string description(const study::ExperimentPlan& plan, const std::string& me
 
 std::string title_of(const std::string& measure) { return capital(texts::visible(measure_words(measure))); }
 
-std::string names_of_arms(const study::ExperimentPlan& plan) {
-  std::string out;
-  for (const config::Experiment::Arm& arm : plan.asked.arms) {
-    for (const char* end : {"", " low", " high"}) out += ',' + figure_field(arm.name + end);
-  }
-  return out;
-}
-
 // Returns the axis of a sweep. The axis is logarithmic for positive values if largest / smallest is at least 50.
 Axis value_axis(const study::ExperimentPlan& plan) {
   Range values;
@@ -56,7 +47,6 @@ Axis value_axis(const study::ExperimentPlan& plan) {
   return {.title = in_title(plan.sweep()), .logarithmic = values.low > 0.0 && values.high / values.low >= 50.0};
 }
 
-// Returns a panel with a row for each arm. A row shows the arm's mean and its interval.
 Panel panel_of_arms(const ExperimentView& view, std::size_t measure) {
   const study::ExperimentPlan& plan = view.plan;
   Panel out{.x = {.title = measure_axis(plan.measures[measure])}};
@@ -69,7 +59,6 @@ Panel panel_of_arms(const ExperimentView& view, std::size_t measure) {
   return out;
 }
 
-// Returns a figure with one panel for each measure. The panels are beside each other.
 Figure figure_of_arms(const ExperimentView& view, std::span<const std::size_t> measures, std::string name) {
   const study::ExperimentPlan& plan = view.plan;
   Figure out{.name = std::move(name)};
@@ -99,7 +88,6 @@ Figure arms_figure(const ExperimentView& view, std::size_t measure) {
   return out;
 }
 
-// Returns figures of the given measures, each figure with at most three panels.
 std::vector<Figure> other_measures(const ExperimentView& view, const std::vector<std::size_t>& measures) {
   constexpr std::size_t most_panels = 3;
   const study::ExperimentPlan& plan = view.plan;
@@ -136,15 +124,17 @@ Figure sweep_figure(const ExperimentView& view, std::size_t measure) {
   Figure out{.name = fmt::format("sweep_{}", measure + 1),
              .title = fmt::format("{} over {}", title_of(path), texts::visible(plan.sweep())),
              .description = description(plan, path, numbers ? "bands" : "intervals")};
-  out.csv = "x," + figure_field(plan.sweep()) + names_of_arms(plan) + '\n';
+  out.csv = "x," + figure_field(plan.sweep());
   Panel panel;
   for (std::size_t arm = 0; arm < arms; ++arm) {
+    for (const char* end : {"", " low", " high"}) out.csv += ',' + figure_field(plan.asked.arms[arm].name + end);
     panel.series.push_back({.name = plan.asked.arms[arm].name,
                             .colour = arm,
                             .join = numbers ? Join::line : Join::nothing,
                             .shape = shape_of(arm),
                             .interval = numbers ? Interval::band : Interval::whiskers});
   }
+  out.csv += '\n';
   for (std::size_t value = 0; value < plan.values(); ++value) {
     const double x = numbers ? numbers_of_sweep[value] : static_cast<double>(value);
     out.csv += fmt::format("{},{}", x, figure_field(plan.value(value)));
@@ -188,12 +178,6 @@ bool is_in_role_figure(std::string_view path) {
   return std::ranges::any_of(measures_by_role, [&](const RoleMeasure& each) { return each.is(path); });
 }
 
-std::optional<std::size_t> measure_index(const study::ExperimentPlan& plan, const std::string& path) {
-  const auto found = std::ranges::find(plan.measures, path);
-  if (found == plan.measures.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - plan.measures.begin());
-}
-
 // Returns the names of the roles in the order of the measures, without roles whose numbers are all 0.
 std::vector<std::string> roles_of(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
@@ -221,9 +205,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
     }
     return false;
   });
-  std::vector<std::string> measures;
-  for (const RoleMeasure& each : shown) measures.emplace_back(each.name);
-  Figure out{.name = "roles", .title = "Roles: " + in_a_row(measures)};
+  Figure out{.name = "roles", .title = "Roles: " + in_a_row(texts::names_of(shown, &RoleMeasure::name))};
   out.csv = "role";
   for (const RoleMeasure& each : shown) {
     out.description += fmt::format("{}{}: {}", out.description.empty() ? "" : "; ", each.name, each.meaning);
@@ -243,7 +225,7 @@ std::optional<Figure> role_figure(const ExperimentView& view) {
     out.csv += figure_field(names[row]);
     for (std::size_t i = 0; i < shown.size(); ++i) {
       std::vector<Series>& series = out.chart.panels[i].series;
-      const auto measure = measure_index(plan, names[row] + std::string(shown[i].end));
+      const auto measure = study::measure_index(plan, names[row] + std::string(shown[i].end));
       for (std::size_t arm = 0; arm < arms; ++arm) {
         const study::MeanEstimate mean = measure ? view.course.mean(arm, *measure) : study::MeanEstimate{};
         out.csv += ',' + mean_fields(mean);

@@ -6,11 +6,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <functional>
 #include <numeric>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"

@@ -12,7 +12,6 @@
 #include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
-#include "report/what_was_played.hpp"
 #include "study/paired_estimates.hpp"
 #include "study/settings.hpp"
 #include "texts/json.hpp"
@@ -20,8 +19,6 @@
 
 namespace regista::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 // Returns a title: "role_overlap: 3 arms against spqr2023, 36 matches each"
 std::string title_of(const study::ExperimentPlan& plan) {
@@ -306,10 +303,8 @@ Json data_of(const ExperimentView& view) {
 }  // namespace
 
 WhatWasPlayed what_was_played(const study::ExperimentPlan& plan) {
-  std::vector<campaign::Input> openings;
-  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
   const campaign::Job& first = plan.conditions.front().jobs[0];
-  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, openings);
+  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, inputs_of(plan.openings));
   for (std::size_t arm = 0; arm < plan.arms(); ++arm) {
     const campaign::Job& job = plan.conditions[arm].jobs[0];
     out.teams.push_back(played_team(plan.asked.arms[arm].name, team_of(plan, arm), job.home_inputs,

@@ -32,8 +32,7 @@ class ExperimentReport final : public StudyReport {
   const study::Study& study() const override { return course_; }
 
   std::vector<std::string> teams() const override {
-    std::vector<std::string> out;
-    for (const config::Experiment::Arm& each : plan_.asked.arms) out.push_back(each.name);
+    std::vector<std::string> out = texts::names_of(plan_.asked.arms, &config::Experiment::Arm::name);
     out.push_back(plan_.asked.opponent);
     return out;
   }
@@ -56,15 +55,11 @@ class ExperimentReport final : public StudyReport {
     const study::Trial trial = study::trial(plan_, index);
     const std::string scene = scene_name(plan_.openings, trial.opening);
     const std::string arm = label(plan_, trial.condition);
-    std::string out =
-        fmt::format("seed {}{}{}: {} {} {}:{}", trial.seed, scene.empty() ? "" : ", ", scene, texts::one_line(arm),
-                    trial.side == 0 ? "at home" : "away", decided.score[trial.side], decided.score[1 - trial.side]);
-    if (decided.set_aside()) out += ", could not be played: " + texts::one_line(decided.why_set_aside);
-    if (decided.failure) {
-      const bool own = static_cast<std::size_t>(decided.failure->side) == trial.side;
-      out += ", " + forfeit_text(own ? arm : "the opponent", *decided.failure);
-    }
-    return out;
+    std::array<std::string, 2> sides{"the opponent", "the opponent"};
+    sides[trial.side] = arm;
+    return fmt::format("seed {}{}{}: {} {} {}:{}", trial.seed, scene.empty() ? "" : ", ", scene, texts::one_line(arm),
+                       trial.side == 0 ? "at home" : "away", decided.score[trial.side], decided.score[1 - trial.side]) +
+           how_it_ended(decided, sides);
   }
   MatchPlayers players(const study::Round& round, std::uint64_t index) const override {
     const study::Trial trial = study::trial(plan_, index);

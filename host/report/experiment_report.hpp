@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of an experiment. The report depends only on the plan and on the results in order. Interruptions of the
-// study and the number of worker processes change no byte of the report.
+// The report of an experiment.
 #pragma once
 
 #include <cstdint>
@@ -33,8 +32,7 @@ std::string experiment_standing(const ExperimentView& view);
 
 Outline experiment_outline(const ExperimentView& view);
 
-// Returns the finding of the primary measure in one line. The line orders arms ("a > b > c") only if the experiment
-// found every difference between these arms, after the correction for the number of comparisons.
+// Returns the finding of the primary measure in one line.
 std::string experiment_headline(const ExperimentView& view);
 
 // Returns sentences about the means, the comparisons and the test. Returns nothing without a primary measure.

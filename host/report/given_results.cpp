@@ -13,7 +13,6 @@
 #include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/outline.hpp"
-#include "statistics/rating.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
@@ -38,7 +37,6 @@ std::string elo_text(const Team& team) {
 
 std::uint64_t unsigned_count(statistics::Count count) { return static_cast<std::uint64_t>(count); }
 
-// Returns a sentence that says whether the margins are based on pairs, on single games, or on both.
 std::string basis(const RankedResults& ranking) {
   if (ranking.pairs == 0) return "Margins hold with 95 % if all games are independent: the results name no pairs.\n";
   if (2 * ranking.pairs == ranking.games) return "Margins hold with 95 % and count pairs.\n";
@@ -78,31 +76,23 @@ std::string pairs_text(const std::optional<std::int64_t>& pairs) {
   return pairs ? std::to_string(*pairs) : fmt::format("above {}", statistics::most_pairs_asked);
 }
 
-std::int64_t fewest_of(const PowerQuestion& question) {
-  return statistics::smallest_pairs(question.design.alpha, question.design.family, question.design.test);
-}
-
 std::string test_line(const PowerQuestion& question) {
   const bool flips = question.design.test == statistics::PairedTest::sign_flip;
   std::string out = fmt::format("{} at {:.4g} %, two-sided", flips ? "Sign-flip test" : "Student's t test of pairs",
                                 100.0 * question.design.alpha);
   if (question.design.family > 1) out += fmt::format(", by Holm for {} {}", question.design.family, question.several);
-  return out +
-         fmt::format(". It finds nothing with fewer than {} {}pairs.", fewest_of(question), flips ? "uneven " : "");
+  return out + fmt::format(". It finds nothing with fewer than {} {}pairs.",
+                           statistics::smallest_pairs(question.design), flips ? "uneven " : "");
 }
 
-template <class Number>
-nlohmann::ordered_json or_null(const std::optional<Number>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-}
+Json or_null(const std::optional<std::int64_t>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace
 
-SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts, const std::string& model,
+SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts,
                                    const statistics::SequentialDesign& design) {
   SequentialTestOfCounts result{};
   result.counts = counts;
-  result.model = model;
   result.design = design;
   const auto take = [&](auto units) {
     std::ranges::copy(counts, units.seen.begin());
@@ -129,7 +119,8 @@ std::string counts_text(const SequentialTestOfCounts& result) {
   out += result.superiority ? fmt::format("LOS: {:.2f} %", 100.0 * *result.superiority) : "LOS: -";
   if (result.pair_ratio) out += fmt::format(", pair ratio: {:.2f}", *result.pair_ratio);
   out += fmt::format("\nLLR: {:.3f} ({:.3f}, {:.3f}) [{}, {}] {}\n", result.ratio.value, result.bounds.lower,
-                     result.bounds.upper, result.design.hypotheses.elo0, result.design.hypotheses.elo1, result.model);
+                     result.bounds.upper, result.design.hypotheses.elo0, result.design.hypotheses.elo1,
+                     name(result.design.model));
   if (result.ratio.method == statistics::Method::closed_form) {
     out += "The bounds are out of reach of such scores: the LLR is an approximation.\n";
   }
@@ -145,7 +136,7 @@ std::string counts_text(const SequentialTestOfCounts& result) {
 std::string counts_json(const SequentialTestOfCounts& result) {
   return text_of({{"unit", result.law.unit == statistics::Unit::pair ? "pairs" : "games"},
                   {"counts", result.counts},
-                  {"model", result.model},
+                  {"model", name(result.design.model)},
                   {"elo0", result.design.hypotheses.elo0},
                   {"elo1", result.design.hypotheses.elo1},
                   {"alpha", result.design.rates.alpha},
@@ -240,7 +231,7 @@ std::string ranking_text(const RankedResults& ranking) {
 }
 
 std::string ranking_json(const RankedResults& ranking) {
-  nlohmann::ordered_json teams = nlohmann::ordered_json::array();
+  Json teams = Json::array();
   for (const Team& each : ranking.teams) {
     teams.push_back({{"team", each.name},
                      {"group", each.group + 1},
@@ -298,7 +289,7 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
   } else {
     out.note("--difference says which difference matters; then it prints how many pairs find it.");
   }
-  if (question.pairs && *question.pairs >= fewest_of(question))
+  if (question.pairs && *question.pairs >= statistics::smallest_pairs(question.design))
     out.note(
         fmt::format("{} pairs find a mean difference of the size in the last column {}.", *question.pairs, chance));
   constexpr std::int64_t enough = 20;  // from docs/statistics.md
@@ -313,7 +304,6 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
 }
 
 std::string power_json(const study::PairDifferences& study, const PowerQuestion& question) {
-  using Json = nlohmann::ordered_json;
   const statistics::PowerDesign& design = question.design;
   Json compared = Json::array();
   for (const study::ComparedPairs& each : study.compared) {
@@ -337,16 +327,16 @@ std::string power_json(const study::PairDifferences& study, const PowerQuestion&
                         {"standard_deviation_interval", interval},
                         {"pairs_needed", or_null(answers.needed)},
                         {"pairs_needed_interval", needed_interval},
-                        {"difference_found", or_null(answers.found)}});
+                        {"difference_found", json_or_null(answers.found)}});
   }
   const Json out{{"measure", study.measure},
                  {"unit", study.unit},
                  {"test", design.test == statistics::PairedTest::sign_flip ? "sign_flip" : "paired_t"},
                  {"alpha", design.alpha},
                  {"family", design.family},
-                 {"smallest_pairs", statistics::smallest_pairs(design.alpha, design.family, design.test)},
+                 {"smallest_pairs", statistics::smallest_pairs(design)},
                  {"power", design.power},
-                 {"difference", or_null(question.difference)},
+                 {"difference", json_or_null(question.difference)},
                  {"pairs", or_null(question.pairs)},
                  {"own_test_is_sequential", question.sequential},
                  {"comparisons", compared}};

@@ -20,7 +20,6 @@ namespace regista::report {
 
 struct SequentialTestOfCounts {
   std::vector<statistics::Count> counts;
-  std::string model;
   statistics::SequentialDesign design;
   statistics::SequentialBounds bounds;
   statistics::LogLikelihoodRatio ratio;
@@ -31,8 +30,8 @@ struct SequentialTestOfCounts {
 };
 
 // counts: results of the first team, not all zero: five numbers for pairs (LL, LD, WL and DD, WD, WW) or three for
-// games (L, D, W). model: name of the model.
-SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts, const std::string& model,
+// games (L, D, W).
+SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts,
                                    const statistics::SequentialDesign& design);
 std::string counts_text(const SequentialTestOfCounts& test);
 std::string counts_json(const SequentialTestOfCounts& test);

@@ -3,11 +3,11 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
+#include "report/number.hpp"
 #include "statistics/paired_tests.hpp"
 #include "statistics/rating.hpp"
 #include "study/paired_estimates.hpp"
@@ -16,8 +16,6 @@
 
 namespace regista::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string matches_in_words(std::uint64_t count) { return texts::plural(count, "match", "matches"); }
 
@@ -33,15 +31,15 @@ struct Doubt {
   const char *words, *key;
 };
 std::array<Doubt, 4> doubts_of(const study::MatchRemarks& remarks) {
-  return {{{remarks.shared(), "robots do not decide alone", "not_alone"},
-           {remarks.broken(), "a plugin breaks a promise", "broken_promises"},
-           {remarks.irreproducible(), "not reproducible", "not_reproducible"},
-           {remarks.unproven(), "not proven that robots decide alone", "not_proven"}}};
+  return {{{remarks.shared, "robots do not decide alone", "not_alone"},
+           {remarks.broken, "a plugin breaks a promise", "broken_promises"},
+           {remarks.irreproducible, "not reproducible", "not_reproducible"},
+           {remarks.unproven, "not proven that robots decide alone", "not_proven"}}};
 }
 
 // Returns a sentence if there are too few pairs for a verdict. what: word for the tested things, such as "pairings".
 std::string too_few(std::uint64_t pairs, const statistics::PowerDesign& design, const char* what) {
-  const auto needed = static_cast<std::uint64_t>(statistics::smallest_pairs(design.alpha, design.family, design.test));
+  const auto needed = static_cast<std::uint64_t>(statistics::smallest_pairs(design));
   if (pairs >= needed) return {};
   return fmt::format("{} cannot give a verdict: at least {} are needed{}", pairs_in_words(pairs), needed,
                      design.family == 1 ? std::string() : fmt::format(" with {} {}", design.family, what));
@@ -96,7 +94,7 @@ std::string unplayed_sentence(std::uint64_t pairs) {
 
 std::string caution(const study::MatchRemarks& remarks, const campaign::Limits& limits) {
   if (limits.allow_shared_memory) return "Robots of a team may share memory here: ";
-  return remarks.shared().count() > 0 ? "Not a result of robots that decide alone: " : "";
+  return remarks.shared.count() > 0 ? "Not a result of robots that decide alone: " : "";
 }
 
 Section doubts(const study::MatchRemarks& remarks) {
@@ -113,7 +111,7 @@ Section doubts(const study::MatchRemarks& remarks) {
 
 Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks) {
   Section out("unplayed", "Matches that could not be played");
-  const study::RemarkList& list = remarks.unplayed();
+  const study::RemarkList& list = remarks.unplayed;
   if (list.count() == 0) return out;
   out.line(fmt::format("{} left out of every number, with both matches; no team can be blamed.",
                        texts::plural(pairs, "pair is", "pairs are")));
@@ -127,26 +125,29 @@ Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks
 
 Section notes_on(const study::MatchRemarks& remarks) {
   Section out("remarks", "");
-  if (remarks.kept().count() > 0) {
-    const study::MatchRemark& first = remarks.kept().listed().front();
+  if (remarks.kept.count() > 0) {
+    const study::MatchRemark& first = remarks.kept.listed().front();
     out.note(fmt::format("match {}: {}; nothing came of it in this match", first.match + 1, first.text));
   }
-  if (remarks.written_count() > 0) {
+  if (remarks.written_count > 0) {
     out.note(fmt::format(
         "plugins wrote to standard error in {0}, first in match {1}; see: regista report FILE --standard-error {1}",
-        matches_in_words(remarks.written_count()), remarks.written().front() + 1));
+        matches_in_words(remarks.written_count), remarks.written.front() + 1));
   }
   return out;
 }
 
-std::string plugin_text(const std::string& plugin, const std::string& team) {
-  return plugin.empty() ? "a plugin of " + team : "plugin " + plugin;
-}
-
 std::string forfeit_text(const std::string& label, const campaign::Failure& failure) {
-  std::string out = fmt::format("forfeited by {}: {}", label, plugin_text(failure.plugin, label));
+  const std::string plugin = failure.plugin.empty() ? "a plugin of " + label : "plugin " + failure.plugin;
+  std::string out = fmt::format("forfeited by {}: {}", label, plugin);
   if (!failure.call.empty()) out += ", " + failure.call;
   return texts::one_line(out + ": " + failure.what);
+}
+
+std::string how_it_ended(const campaign::MatchResult& decided, const std::array<std::string, 2>& sides) {
+  if (decided.set_aside()) return ", could not be played: " + texts::one_line(decided.why_set_aside);
+  if (!decided.failure) return {};
+  return ", " + forfeit_text(sides[static_cast<std::size_t>(decided.failure->side)], *decided.failure);
 }
 
 Section forfeits_section(const study::ForfeitList& forfeits, const ForfeitWords& words) {
@@ -189,16 +190,16 @@ Json forfeits_json(const study::ForfeitList& forfeits, const ForfeitWords& words
 }
 
 Json unplayed_json(std::uint64_t pairs, const study::MatchRemarks& remarks) {
-  return {{"pairs", pairs}, {"matches", remarks.unplayed().count()}, {"listed", listed(remarks.unplayed())}};
+  return {{"pairs", pairs}, {"matches", remarks.unplayed.count()}, {"listed", listed(remarks.unplayed)}};
 }
 
 void add_remarks(const study::MatchRemarks& remarks, Json& out) {
   for (const Doubt& doubt : doubts_of(remarks))
     out[doubt.key] = {{"matches", doubt.list.count()}, {"listed", listed(doubt.list)}};
-  out["kept_outside"] = {{"matches", remarks.kept().count()}, {"listed", listed(remarks.kept())}};
+  out["kept_outside"] = {{"matches", remarks.kept.count()}, {"listed", listed(remarks.kept)}};
   Json matches = Json::array();
-  for (const std::uint64_t each : remarks.written()) matches.push_back(each + 1);
-  out["standard_error"] = {{"matches", remarks.written_count()}, {"listed", matches}};
+  for (const std::uint64_t each : remarks.written) matches.push_back(each + 1);
+  out["standard_error"] = {{"matches", remarks.written_count}, {"listed", matches}};
 }
 
 std::string packets_clause(const study::PacketsSpent& packets) {

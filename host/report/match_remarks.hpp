@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -37,12 +38,11 @@ Section doubts(const study::MatchRemarks& remarks);  // lines such as "not repro
 Section unplayed_section(std::uint64_t pairs, const study::MatchRemarks& remarks);
 Section notes_on(const study::MatchRemarks& remarks);  // lines about plugins that wrote to standard error
 
-// Returns a text such as "plugin hangs". If only the team `small` is known, returns "a plugin of small".
-std::string plugin_text(const std::string& plugin, const std::string& team);
 // Describes a forfeit: "forfeited by small: plugin hangs, holds: used more than 5 s of processor time"
 std::string forfeit_text(const std::string& label, const campaign::Failure& failure);
+// Returns ", could not be played: ..." or ", forfeited by small: ..."; empty for a match that was played to its end.
+std::string how_it_ended(const campaign::MatchResult& decided, const std::array<std::string, 2>& sides);
 
-// Words for the forfeits of a study.
 struct ForfeitWords {
   std::function<std::string(std::size_t team)> label;     // returns the name of a team
   std::function<std::string(std::uint64_t match)> again;  // makes the command that plays a single match; may be empty

@@ -95,8 +95,6 @@ Table clearest_table(const MatchList& matches, const MatchesOnPage& page) {
   return out;
 }
 
-std::string command(std::vector<std::string> words) { return process::command_line(words); }
-
 namespace fs = std::filesystem;
 
 constexpr Markup before = "<meta name=\"regista-replay\" content=\""_html;
@@ -204,8 +202,9 @@ Section matches_section(const MatchList& matches, const MatchesOnPage& page) {
   const std::vector<ListedMatch> clear = matches.highlights(1);
   const std::uint64_t example = clear.empty() ? matches.first().front().row : clear.front().row;
   out.note(Sentence("To watch a match: ")
-           << code(command({"view", results, "--row", std::to_string(example)}))
-           << " plays this one again and writes its page; " << code(command({"report", results, "--replays", "5"}))
+           << code(process::command_line({"view", results, "--row", std::to_string(example)}))
+           << " plays this one again and writes its page; "
+           << code(process::command_line({"report", results, "--replays", "5"}))
            << " does so for the clearest ones and links them here.");
   out.table(clearest_table(matches, page));
   if (const std::uint64_t more = matches.forfeit_count() - matches.forfeits().size(); more > 0)
@@ -222,7 +221,8 @@ Section matches_section(const MatchList& matches, const MatchesOnPage& page) {
                     : fmt::format("All {}", texts::plural(matches.count(), "match", "matches"));
   all.sortable = true;
   out.table(std::move(all));
-  if (cut && page.has_table) out.note(Sentence("All of them: ") << code(command({"report", results, "--csv"})));
+  if (cut && page.has_table)
+    out.note(Sentence("All of them: ") << code(process::command_line({"report", results, "--csv"})));
   return out;
 }
 

@@ -20,7 +20,6 @@ namespace regista::report {
 namespace {
 
 using match::MetricRow;
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view marker = "<!-- metrics: ", end_of_marker = " -->";
 
@@ -94,6 +93,14 @@ std::pair<std::string, std::string> in_parts(const std::string& title) {
   const std::size_t at = title.rfind(", ");
   return at == std::string::npos ? std::pair{title, std::string()}
                                  : std::pair{title.substr(0, at), title.substr(at + 2)};
+}
+
+std::string measure_unit(std::string_view measure) {
+  if (study::is_time(measure)) return "minutes of 60";
+  const MetricRow* const row = match::find_metric(match::metric_table(), measure);
+  if (row == nullptr || row->total == MetricRow::Total::sum) return study::unit_of(measure);
+  if (const std::string unit = in_parts(row->title).second; !unit.empty()) return unit;
+  return row->unit.empty() ? study::unit_of(measure) : row->unit;
 }
 
 std::string uncapped(std::string words) {
@@ -194,14 +201,6 @@ std::string measure_words(std::string_view measure) {
     if (words.ends_with(unit)) words.resize(words.size() - unit.size());
   }
   return words;
-}
-
-std::string measure_unit(std::string_view measure) {
-  if (study::is_time(measure)) return "minutes of 60";
-  const MetricRow* const row = match::find_metric(match::metric_table(), measure);
-  if (row == nullptr || row->total == MetricRow::Total::sum) return study::unit_of(measure);
-  if (const std::string unit = in_parts(row->title).second; !unit.empty()) return unit;
-  return row->unit.empty() ? study::unit_of(measure) : row->unit;
 }
 
 std::string measure_axis(std::string_view measure, std::size_t longest) {

@@ -105,8 +105,6 @@ std::string signed_with_interval(const study::MeanEstimate& difference) {
   return rounded_with_sign(difference.mean, shown_margin(difference.interval)) + ends_text(difference.interval);
 }
 
-using Json = nlohmann::ordered_json;
-
 Json json_number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json json_or_null(const std::optional<double>& value) { return value ? json_number(*value) : Json(nullptr); }
 

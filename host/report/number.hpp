@@ -16,6 +16,8 @@
 
 namespace regista::report {
 
+using Json = nlohmann::ordered_json;
+
 // Returns whether all digits in the text of a number are zero.
 inline bool shows_nothing(double value, const std::string& text) {
   return std::isfinite(value) && text.find_first_of("123456789") == std::string::npos;
@@ -64,14 +66,14 @@ std::string signed_with_interval(const statistics::Estimate& estimate);
 std::string signed_with_interval(const study::MeanEstimate& difference);
 
 // These functions write null for a missing value and for an infinite number, because JSON has no infinity.
-nlohmann::ordered_json json_number(double value);
-nlohmann::ordered_json json_or_null(const std::optional<double>& value);
-nlohmann::ordered_json json_of(const statistics::Interval& interval);
-nlohmann::ordered_json json_of(const study::MeanEstimate& estimate);
+Json json_number(double value);
+Json json_or_null(const std::optional<double>& value);
+Json json_of(const statistics::Interval& interval);
+Json json_of(const study::MeanEstimate& estimate);
 
 // Returns the document as text with a newline at the end: in one line, or with `indent` spaces per level. File names
 // may contain bytes that are not UTF-8; the function replaces them.
-std::string text_of(const nlohmann::ordered_json& json, int indent = -1);
+std::string text_of(const Json& json, int indent = -1);
 
 // Returns a text as a field of CSV (RFC 4180). Not for numbers. A spreadsheet program runs a field as a formula if the
 // field begins with = + - @, a tab or a carriage return. So such a field gets a ' in front (OWASP, "CSV Injection").

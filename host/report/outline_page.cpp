@@ -8,10 +8,6 @@
 #include <cassert>
 #include <cmath>
 #include <span>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "report/match_remarks.hpp"
 #include "report/outline.hpp"
@@ -43,7 +39,6 @@ constexpr Markup head = R"(page of results">
 constexpr double half_page_width = 560.0, lead_width = 720.0;
 constexpr std::size_t long_words = 40, long_heading = 16;  // longer cells or headings get a column with a least width
 
-// The figures of a page, and the name of its main figure.
 struct PageFigures {
   std::span<const Figure> all;
   std::string lead;
@@ -265,7 +260,6 @@ Html lead_html(const std::vector<Tile>& tiles, const PageFigures& figures) {
   return Html("<div class=\"lead\">\n"_html) << figure_html(*lead, lead_width) << numbers << "</div>\n"_html;
 }
 
-// Writes links to the sections and to the top of the page.
 Html contents_html(const std::vector<std::pair<std::string, std::string>>& sections) {
   Html out = "<nav aria-label=\"Contents\"><ul>\n<li><a href=\"#verdict\">Verdict</a></li>\n"_html;
   for (const auto& [id, title] : sections)

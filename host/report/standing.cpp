@@ -3,9 +3,6 @@
 
 #include <algorithm>
 
-#include "statistics/moments.hpp"
-#include "statistics/rating.hpp"
-
 namespace regista::report {
 
 double points(const statistics::GameCounts& games) {
@@ -132,13 +129,7 @@ bool leads_either_way(const study::TournamentPlan& plan, const study::Tournament
 }
 
 statistics::SquareTable points_won(const study::TournamentPlan& plan, const study::Tournament& course) {
-  statistics::SquareTable out(plan.teams.size());
-  for (const study::Meeting& meeting : course.meetings()) {
-    const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
-    out.at(a, b) = points(meeting.games);
-    out.at(b, a) = static_cast<double>(total(meeting.games)) - out.at(a, b);
-  }
-  return out;
+  return statistics::points_won(plan.teams.size(), encounters(course));
 }
 
 std::vector<statistics::Encounter> encounters(const study::Tournament& course) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The report of any study: lines while the study is running, and then an outline (outline.hpp), a table and figures. A
 // report owns its study and the plan. A study that was just played and its file of results give the same report.
+// The report depends only on the plan and on the results in order. Interruptions of the study and the number of worker
+// processes change no byte of the report.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +28,6 @@ struct TableOptions {
   match::MetricPaths metrics{};  // paths of all metrics of the matches in the file
 };
 
-// The files that a page of a study needs.
 struct PageFiles {
   std::filesystem::path results, page;  // file of the results, and file of the page itself
   std::vector<std::string> documents;   // resolved documents of the teams; empty list: the file has none

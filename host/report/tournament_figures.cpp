@@ -7,12 +7,9 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <span>
-#include <string>
 
 #include "report/metric_reference.hpp"
 #include "report/standing.hpp"
-#include "report/tournament_history.hpp"
 #include "statistics/rating.hpp"
 #include "texts/message.hpp"
 
@@ -75,7 +72,6 @@ bool any_interval(std::span<const Banded> points) {
   });
 }
 
-// Returns the curve of Elo of the first team, with its 95 % interval.
 std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   std::vector<Banded> points;
   for (const PairPoint& each : curve) {
@@ -95,7 +91,6 @@ std::optional<Figure> elo_over_pairs(const TournamentView& view, std::span<const
   return out;
 }
 
-// Returns the curve of the difference of goals or of the tested metric, with its interval.
 std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   std::vector<Banded> points;
   for (const PairPoint& each : curve) {
@@ -117,7 +112,6 @@ std::optional<Figure> value_over_pairs(const TournamentView& view, std::span<con
   return out;
 }
 
-// Returns the curve of the log-likelihood ratio of a test of scores, with the bounds of the test.
 std::optional<Figure> ratio_over_pairs(const TournamentView& view, std::span<const PairPoint> curve) {
   Figure out{.name = "llr", .title = "Log-likelihood ratio over pairs"};
   std::vector<Series> series{{.name = "H1", .colour = 2, .join = Join::dashes},

@@ -28,12 +28,6 @@ auto* search(Entries& entries, const std::string& path, std::size_t& hint) {
   return static_cast<decltype(&entries[0])>(nullptr);
 }
 
-template <class Entries>
-auto* search(Entries& entries, const std::string& path) {
-  std::size_t hint = 0;
-  return search(entries, path, hint);
-}
-
 // Returns the parts that `part_of` extracts from the paths of the first `teams` teams, each part once, without "".
 template <class PartOf>
 std::vector<std::string> parts_of_paths(const MatchNumbers& numbers, std::size_t teams, PartOf part_of) {
@@ -124,13 +118,13 @@ void MatchNumbers::finish_pair(const Values& a1, const Values& b1, const Values&
 }
 
 const statistics::Moments* MatchNumbers::find(std::size_t team, const std::string& path) const {
-  const TeamNumber* const found = search(teams_[team], path);
-  return found == nullptr ? nullptr : &found->matches;
+  const auto found = std::ranges::find(teams_[team], path, &TeamNumber::path);
+  return found == teams_[team].end() ? nullptr : &found->matches;
 }
 
 const study::MetricDifference* MatchNumbers::difference(const std::string& path) const {
-  const PairedNumber* const found = search(pairs_, path);
-  return found == nullptr ? nullptr : &found->difference;
+  const auto found = std::ranges::find(pairs_, path, &PairedNumber::path);
+  return found == pairs_.end() ? nullptr : &found->difference;
 }
 
 std::vector<std::string> role_names(const MatchNumbers& numbers, std::size_t teams) {

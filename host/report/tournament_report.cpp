@@ -45,11 +45,7 @@ class TournamentReport final : public StudyReport {
   study::Study& study() override { return course_; }
   const study::Study& study() const override { return course_; }
 
-  std::vector<std::string> teams() const override {
-    std::vector<std::string> out;
-    for (const study::Entrant& each : plan_.teams) out.push_back(each.shown());
-    return out;
-  }
+  std::vector<std::string> teams() const override { return texts::names_of(plan_.teams, &study::Entrant::shown); }
   WhatWasPlayed played() const override { return what_was_played(plan_); }
   Outline outline() const override { return tournament_outline(view()); }
   Outline page_outline(const PageFiles& files) const override {
@@ -58,8 +54,8 @@ class TournamentReport final : public StudyReport {
       const std::string from_page =
           fs::absolute(file).lexically_relative(fs::absolute(files.page).parent_path()).generic_string();
       const std::string shown = study::beside(files.results, fmt::format("-{}.html", match + 1)).filename().string();
-      return RecordingLink{from_page, process::command_line(std::vector<std::string>{"view", as_argument(from_page),
-                                                                                     "-o", as_argument(shown)})};
+      return RecordingLink{from_page,
+                           process::command_line({"view", as_argument(from_page), "-o", as_argument(shown)})};
     };
     const TournamentView view = this->view();
     const TournamentPage page{*record_, files.documents, page_recordings(view, *record_, files.results), link};
@@ -79,17 +75,10 @@ class TournamentReport final : public StudyReport {
   std::string standing() const override { return fmt::format("{}\n{}", title(view()), standing_text(view())); }
   std::string match(const study::Round& round, std::uint64_t index,
                     const campaign::MatchResult& decided) const override {
-    const study::Fixture fixture = course_.calendar().at(round.first_row + index);
-    const std::string scene = scene_name(plan_.openings, fixture.opening);
-    std::string line = fmt::format("seed {}{}{}: {} {}:{} {}", fixture.seed, scene.empty() ? "" : ", ", scene,
-                                   plan_.teams[fixture.home].shown(), decided.score[0], decided.score[1],
-                                   plan_.teams[fixture.away].shown());
-    if (decided.set_aside()) line += ", could not be played: " + texts::one_line(decided.why_set_aside);
-    if (decided.failure) {
-      const std::size_t loser = decided.failure->side == 0 ? fixture.home : fixture.away;
-      line += ", " + forfeit_text(plan_.teams[loser].shown(), *decided.failure);
-    }
-    return line;
+    const auto& [sides, scene, seed] = players(round, index);
+    return fmt::format("seed {}{}{}: {} {}:{} {}", seed, scene.empty() ? "" : ", ", scene, sides[0], decided.score[0],
+                       decided.score[1], sides[1]) +
+           how_it_ended(decided, sides);
   }
   MatchPlayers players(const study::Round& round, std::uint64_t index) const override {
     const study::Fixture fixture = course_.calendar().at(round.first_row + index);
@@ -184,8 +173,6 @@ std::string lead_of(const TournamentView& view) {
   if (std::holds_alternative<study::ScoreTest>(objective)) return "llr";
   return std::holds_alternative<study::ValueTest>(objective) ? "value" : "goal_differences";
 }
-
-using Json = nlohmann::ordered_json;
 
 Json score_test(const statistics::SequentialTest& test) {
   const auto& design = test.design();
@@ -303,9 +290,7 @@ const char* game_word(const study::TournamentPlan& plan) { return plan.openings.
 const char* games_word(const study::TournamentPlan& plan) { return plan.openings.empty() ? "matches" : "scenes"; }
 
 WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
-  std::vector<campaign::Input> openings;
-  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
-  WhatWasPlayed out = what_was_played(plan.asked.settings, plan.common_inputs, openings);
+  WhatWasPlayed out = what_was_played(plan.asked.settings, plan.common_inputs, inputs_of(plan.openings));
   for (std::size_t team = 0; team < plan.teams.size(); ++team) {
     const config::Tournament::Team& asked = plan.asked.teams[team];
     const study::Entrant& found = plan.teams[team];
@@ -369,12 +354,12 @@ std::string title(const TournamentView& view) {
                               ? fmt::format("{} vs {}", view.shown(0), view.shown(1))
                               : fmt::format("{} teams, {}", view.plan.teams.size(), format_in_words(view.plan));
   if (const std::uint64_t rounds = view.plan.rounds(); rounds > 0) {
-    return fmt::format("{} ({} rounds, {} each, seeds from {}{})", who, rounds,
-                       texts::plural(view.plan.pairs(), "pair", "pairs"), view.plan.first_seed(), games_of(view.plan));
+    return fmt::format("{} ({} rounds, {} each, seeds from {}{})", who, rounds, pairs_in_words(view.plan.pairs()),
+                       view.plan.first_seed(), games_of(view.plan));
   }
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // includes pairs of teams that were set aside
-  std::string out = fmt::format("{} ({}", who, texts::plural(played, "pair", "pairs"));
+  std::string out = fmt::format("{} ({}", who, pairs_in_words(played));
   if (played < view.plan.pairs() && !view.plan.ends_by_the_clock_alone())
     out += fmt::format(" of {}", view.plan.pairs());
   if (pairings > 1) out += " each";
@@ -385,38 +370,7 @@ ForfeitWords forfeit_words(const TournamentView& view, TeamText name) {
   return {[&view, name](std::size_t team) { return (view.*name)(team); }, view.again, {}};
 }
 
-Outline tournament_outline(const TournamentView& view, const TournamentPage* page) {
-  Outline out;
-  out.kind = "Tournament";
-  out.title = title(view);
-  out.name = view.plan.asked.name;
-  out.question = view.plan.asked.question;
-  TournamentVerdict verdict = tournament_verdict(view);
-  out.headline = std::move(verdict.sentence);
-  out.beside = std::move(verdict.beside);
-  out.tiles = tiles_of(view);
-  out.lead = lead_of(view);
-  out.played = what_was_played(view.plan);
-  out.remarks = view.course.remarks();
-  out.data = [view] { return tournament_data(view); };
-  out.add(standing_section(view));
-  out.add(rounds_section(view));
-  out.add(curves_section(view));
-  if (page != nullptr) {
-    out.add(goals_section(view, page->record));
-    out.add(roles_section(view, page->record, page->metrics));
-  }
-  out.add(packets_section(view, page != nullptr ? &page->record : nullptr));
-  if (page != nullptr) out.add(plugins_section(view, page->record));
-  out.add(variance_section(view));
-  out.add(unplayed_section(view.course.unplayed_pairs(), view.course.remarks()));
-  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view, &TournamentView::shown)));
-  if (page == nullptr) return out;
-  out.fingerprint = page->record.fingerprint();
-  out.add(recordings_section(view, page->recordings, page->link_to));
-  out.add(configuration_section(page->documents, out.played.teams));
-  return out;
-}
+namespace {
 
 Json tournament_data(const TournamentView& view) {
   const study::Tournament& course = view.course;
@@ -483,6 +437,41 @@ Json tournament_data(const TournamentView& view) {
   out["set_aside"] = set_aside;
   out["unplayed"] = unplayed_json(course.unplayed_pairs(), course.remarks());
   out["allow_shared_memory"] = view.plan.limits().allow_shared_memory;
+  return out;
+}
+
+}  // namespace
+
+Outline tournament_outline(const TournamentView& view, const TournamentPage* page) {
+  Outline out;
+  out.kind = "Tournament";
+  out.title = title(view);
+  out.name = view.plan.asked.name;
+  out.question = view.plan.asked.question;
+  TournamentVerdict verdict = tournament_verdict(view);
+  out.headline = std::move(verdict.sentence);
+  out.beside = std::move(verdict.beside);
+  out.tiles = tiles_of(view);
+  out.lead = lead_of(view);
+  out.played = what_was_played(view.plan);
+  out.remarks = view.course.remarks();
+  out.data = [view] { return tournament_data(view); };
+  out.add(standing_section(view));
+  out.add(rounds_section(view));
+  out.add(curves_section(view));
+  if (page != nullptr) {
+    out.add(goals_section(view, page->record));
+    out.add(roles_section(view, page->record, page->metrics));
+  }
+  out.add(packets_section(view, page != nullptr ? &page->record : nullptr));
+  if (page != nullptr) out.add(plugins_section(view, page->record));
+  out.add(variance_section(view));
+  out.add(unplayed_section(view.course.unplayed_pairs(), view.course.remarks()));
+  out.add(forfeits_section(view.course.forfeits(), forfeit_words(view, &TournamentView::shown)));
+  if (page == nullptr) return out;
+  out.fingerprint = page->record.fingerprint();
+  out.add(recordings_section(view, page->recordings, page->link_to));
+  out.add(configuration_section(page->documents, out.played.teams));
   return out;
 }
 

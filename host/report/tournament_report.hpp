@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The report of a tournament. The report depends only on the plan and on the results in order. Interruptions of the
-// study and the number of worker processes change no byte of the report. For two teams, its lines have the form that
-// users of programs for tests of chess engines know.
+// The report of a tournament. For two teams, its lines have the form that users of programs for tests of chess engines
+// know.
 #pragma once
 
 #include <filesystem>
@@ -82,7 +81,6 @@ struct TournamentPage {
 };
 
 Outline tournament_outline(const TournamentView& view, const TournamentPage* page = nullptr);
-nlohmann::ordered_json tournament_data(const TournamentView& view);  // for programs
 
 // Returns the figures that have data. For two teams: curves over pairs named "elo", "llr" (if the test uses scores) or
 // "value" (goals or the tested metric), and "goal_differences", "roles", "packets". For more teams: "ranking", "elo".

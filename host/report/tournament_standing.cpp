@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "report/tournament_report.hpp"
@@ -97,7 +96,7 @@ void add_metric(const TournamentView& view, const Meeting& meeting, Section& lin
              Readers::terminal);
   if (meeting.pairs_without_metric > 0) {
     lines.line(fmt::format("{} without it: a match was forfeited, or has no such number",
-                           texts::plural(meeting.pairs_without_metric, "pair", "pairs")),
+                           pairs_in_words(meeting.pairs_without_metric)),
                Readers::terminal);
   }
   table.row({"Difference of " + test.value, fmt::format("{:+.4g}", estimate.value),

@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <vector>
 
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "statistics/paired_tests.hpp"
@@ -25,7 +23,7 @@ Sentence team(const TournamentView& view, std::size_t index) { return named(view
 Sentence numbers_of(const TournamentView& view, const Meeting& meeting) {
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
   const double share = meeting.matches() == 0 ? 0.5 : points(meeting.games) / static_cast<double>(meeting.matches());
-  return Sentence("After ") << texts::plural(pairs, "pair", "pairs") << fmt::format(" of {} ", games_word(view.plan))
+  return Sentence("After ") << pairs_in_words(pairs) << fmt::format(" of {} ", games_word(view.plan))
                             << team(view, meeting.pairing.first)
                             << fmt::format(" has {:.1f} of {} points ({:.0f} %), goals {}:{}.", points(meeting.games),
                                            meeting.matches(), 100.0 * share, meeting.goals[0], meeting.goals[1]);
@@ -67,7 +65,7 @@ std::string what_more_would_find(const TournamentView& view, const Meeting& meet
   if (needed && static_cast<std::uint64_t>(*needed) > pairs)
     return fmt::format("About {} would find {}.",
                        texts::plural(static_cast<std::uint64_t>(*needed) - pairs, "more pair", "more pairs"), found);
-  return fmt::format("{} find {} in four of five cases.", texts::plural(pairs, "pair", "pairs"), found);
+  return fmt::format("{} find {} in four of five cases.", pairs_in_words(pairs), found);
 }
 
 Sentence than(const TournamentView& view, const Meeting& meeting, bool first_is_more, const char* what) {

@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
 
 #include "report/figure.hpp"
-#include "report/match_remarks.hpp"
 #include "report/metric_reference.hpp"
 #include "texts/message.hpp"
 

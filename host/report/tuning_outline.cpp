@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "report/match_remarks.hpp"
 #include "report/number.hpp"
 #include "report/tuning_report.hpp"
 #include "study/measure.hpp"
@@ -209,8 +208,6 @@ std::string finalists_in_short(const TuningView& view) {
   return out;
 }
 
-using Json = nlohmann::ordered_json;
-
 Json objective(const study::TuningObjective& of) {
   Json terms = Json::array();
   for (const study::ObjectiveTerm& each : of.terms)
@@ -348,6 +345,42 @@ Json slices(const TuningView& view) {
 
 }  // namespace
 
+static Json tuning_data(const TuningView& view) {
+  const study::TuningPlan& plan = view.plan;
+  const study::TuningRecord& record = view.record;
+  const TuningVerdict verdict = tuning_verdict(view);
+  const study::MatchTally& tally = record.tally;
+  return {
+      {"tuning", plan.asked.name},
+      {"question", plan.asked.question},
+      {"team", plan.asked.team},
+      {"set", plan.settings},
+      {"objective", objective(plan.objective)},
+      {"parameters", parameters(plan)},
+      {"opponents", opponents(plan)},
+      {"openings", plan.openings.size()},
+      {"algorithm", name(plan.algorithm())},
+      {"seed", plan.seed()},
+      {"confidence", plan.confidence()},
+      {"budget", budget(plan)},
+      {"complete", !record.stage},
+      {"stage", record.stage ? Json(name(*record.stage)) : Json(nullptr)},
+      {"matches", matches(view)},
+      {"verdict", verdict.headline},
+      {"findings", verdict.beside},
+      {"search", search(view)},
+      {"finalists", finalists(view)},
+      {"verification", verification(view)},
+      {"verified", record.verified()},
+      {"tuned", tuned(view)},
+      {"slices", slices(view)},
+      {"compared", nullptr},  // always null; the key is for programs that read reports of earlier versions
+      {"forfeits",
+       {{"listed", forfeits_json(tally.forfeits, forfeit_words(plan), "by")}, {"unlisted", tally.forfeits.unlisted()}}},
+      {"unplayed", unplayed_json(tally.unplayed_pairs, tally.remarks)},
+      {"tuned_file", view.tuned_file.empty() ? Json(nullptr) : Json(view.tuned_file)}};
+}
+
 std::string tuning_standing(const TuningView& view) {
   const study::TuningRecord& record = view.record;
   std::string out = texts::visible(problem_title(view.plan)) + '\n';
@@ -399,42 +432,6 @@ Outline tuning_outline(const TuningView& view) {
   out.remarks = tally.remarks;
   out.data = [view] { return tuning_data(view); };
   return out;
-}
-
-Json tuning_data(const TuningView& view) {
-  const study::TuningPlan& plan = view.plan;
-  const study::TuningRecord& record = view.record;
-  const TuningVerdict verdict = tuning_verdict(view);
-  const study::MatchTally& tally = record.tally;
-  return {
-      {"tuning", plan.asked.name},
-      {"question", plan.asked.question},
-      {"team", plan.asked.team},
-      {"set", plan.settings},
-      {"objective", objective(plan.objective)},
-      {"parameters", parameters(plan)},
-      {"opponents", opponents(plan)},
-      {"openings", plan.openings.size()},
-      {"algorithm", name(plan.algorithm())},
-      {"seed", plan.seed()},
-      {"confidence", plan.confidence()},
-      {"budget", budget(plan)},
-      {"complete", !record.stage},
-      {"stage", record.stage ? Json(name(*record.stage)) : Json(nullptr)},
-      {"matches", matches(view)},
-      {"verdict", verdict.headline},
-      {"findings", verdict.beside},
-      {"search", search(view)},
-      {"finalists", finalists(view)},
-      {"verification", verification(view)},
-      {"verified", record.verified()},
-      {"tuned", tuned(view)},
-      {"slices", slices(view)},
-      {"compared", nullptr},  // always null; the key is for programs that read reports of earlier versions
-      {"forfeits",
-       {{"listed", forfeits_json(tally.forfeits, forfeit_words(plan), "by")}, {"unlisted", tally.forfeits.unlisted()}}},
-      {"unplayed", unplayed_json(tally.unplayed_pairs, tally.remarks)},
-      {"tuned_file", view.tuned_file.empty() ? Json(nullptr) : Json(view.tuned_file)}};
 }
 
 }  // namespace regista::report

@@ -83,10 +83,7 @@ std::string TuningReport::match(const study::Round& round, std::uint64_t index,
   const campaign::Job job = round.job(index);
   const std::array<std::string, 2> sides = players(round, index).sides;
   out += fmt::format(", seed {}: {} {}:{} {}", job.seed, sides[0], decided.score[0], decided.score[1], sides[1]);
-  if (decided.set_aside()) out += ", could not be played: " + decided.why_set_aside;
-  if (decided.failure)
-    out += ", " + forfeit_text(sides[static_cast<std::size_t>(decided.failure->side)], *decided.failure);
-  return texts::one_line(out);
+  return texts::one_line(out + how_it_ended(decided, sides));
 }
 
 // The last override of a match is a value of the tuned team. Its path begins with the side of the tuned team.

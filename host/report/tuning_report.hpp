@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The report of a tuning: its numbers, which text, JSON, figures and page share, and its sentences. A sentence calls
 // values "better" only if they were better on seeds that the search did not use. No sentence claims that two
-// teams are equal. The report depends only on plan and record: it contains no times and no rates.
+// teams are equal. The report contains no times and no rates.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -98,7 +98,6 @@ struct TuningVerdict {
 };
 TuningVerdict tuning_verdict(const TuningView& view);
 
-// Words for tables.
 const char* name(study::VerifiedAs finding);                // for example "undecided"
 bool has_unit(const study::Parameter& parameter);           // false if the unit is "1", a plain number
 std::string range_text(const study::Parameter& parameter);  // for example "0.1 to 10 m"
@@ -109,9 +108,7 @@ std::string slices_note(const TuningView& view);
 // Returns a few lines about a running tuning: stage, evaluation, best value so far, finalists, verification.
 std::string tuning_standing(const TuningView& view);
 
-// These functions also work for a tuning that has not ended.
-Outline tuning_outline(const TuningView& view);
-nlohmann::ordered_json tuning_data(const TuningView& view);
+Outline tuning_outline(const TuningView& view);  // also of a tuning that has not ended
 
 // Returns the trace of the search as a table: a header, then a line for each evaluation.
 std::string tuning_csv(const TuningView& view);

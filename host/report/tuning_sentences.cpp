@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 
 #include "config/values.hpp"
 #include "report/number.hpp"
@@ -402,10 +401,8 @@ ForfeitWords forfeit_words(const study::TuningPlan& plan) {
 }
 
 WhatWasPlayed what_was_played(const study::TuningPlan& plan) {
-  std::vector<campaign::Input> openings;
-  for (const study::Opening& each : plan.openings) openings.push_back(each.input);
   const campaign::Job& first = plan.opponents.front().jobs[0];
-  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, openings);
+  WhatWasPlayed out = what_was_played(plan.asked.settings, first.common_inputs, inputs_of(plan.openings));
   out.teams.push_back(played_team("the team that is tuned", plan.asked.team, first.home_inputs,
                                   profile_of(first.common_inputs, "home disturbance", plan.asked.disturbance)));
   out.teams.back().set = plan.settings;

@@ -14,14 +14,13 @@
 #include "config/parse.hpp"
 #include "config/scalar.hpp"
 #include "process/child.hpp"
+#include "report/number.hpp"
 #include "report/outline.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Sentence in_words(const PlayedProfile& profile) {
   if (profile.name.empty() && profile.file.empty()) return "not known";
@@ -279,10 +278,10 @@ Section again_section(const WhatWasPlayed& played, const std::string& results, c
     run.insert(run.end(), {"--plugins", (std::filesystem::path(played.folder) / each).lexically_normal().string()});
   Section out("reproduction", "Playing it again");
   out.line("In the folder of the results:");
-  out.items.push_back({Listing{{},
-                               process::command_line(std::vector<std::string>{"report", results, "--study", "again"}) +
-                                   "\ncd again\n" + process::command_line(run),
-                               true}});
+  out.items.push_back({Listing{
+      {},
+      process::command_line({"report", results, "--study", "again"}) + "\ncd again\n" + process::command_line(run),
+      true}});
   out.note(
       Sentence("The first command writes the study with its teams, profiles and scenes; the last one says before the "
                "first match what is not as it was. It was begun in the folder ")

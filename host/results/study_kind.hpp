@@ -57,10 +57,11 @@ struct StudyKind {
   std::string_view name;     // name of the kind in plans
   std::string_view article;  // the name with its article: "a tournament"
   const config::DocumentKind& document;
-  // Plans the study of a document. plugins: folders of the catalogue. Throws config::BadInput, and config::Error at the
-  // place of a value that makes the study impossible.
+  // Plans the study of a document. plugins: folders of the catalogue. mistakes: gets the mistakes that prevent planning
+  // a valid document; with any, the result is empty. Throws config::BadInput, and config::Error at the place of a
+  // mistake that leaves nothing else to check.
   std::function<PlannedStudy(const config::Node& document, const std::vector<std::string>& plugins,
-                             const plugin::Catalogue& catalogue)>
+                             const plugin::Catalogue& catalogue, config::Mistakes& mistakes)>
       plan;
   // Returns the report of a plan. Its study has not run yet. store: the results of the study; null: no results yet.
   // Throws std::invalid_argument if the text is not a plan of this kind, and campaign::StoreError.
@@ -82,11 +83,6 @@ struct StudyKind {
   std::function<int(const std::string& plan, const campaign::Options& options, const output::OutputFiles& outputs,
                     const Invocation& invocation)>
       play{};
-  // Reports every mistake that prevents planning a valid document. No function: the caller reports only the mistake
-  // that plan() throws.
-  std::function<void(const config::Node& document, const std::vector<std::string>& plugins,
-                     const plugin::Catalogue& catalogue, config::Mistakes& mistakes)>
-      check{};
 };
 
 // --- Kinds of documents for commands: the kinds of config and the documents of all kinds of studies.

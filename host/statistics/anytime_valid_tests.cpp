@@ -93,8 +93,6 @@ void BettingGrid::add(double value) {
     capitals_[static_cast<std::size_t>(i)].bet(stake, x, std::clamp(point(i), edge, 1.0 - edge));
   }
   stake_.learn(x);
-  sum_ += x;
-  ++values_;
   // log_above() and log_below() start at a capital of 1, but each gambler has only half of it: hence ln 2. Evidence
   // falls from the ends of the grid to the mean.
   const double enough = std::numbers::ln2 - std::log(design_.alpha);
@@ -112,8 +110,6 @@ BettingTest::Finding BettingGrid::finding(double mean) const {
   if (last_ < steps_ && share >= point(last_ + 1)) return BettingTest::Finding::below;
   return BettingTest::Finding::none;
 }
-
-double BettingGrid::mean() const { return in_units(values_ == 0 ? 0.5 : sum_ / static_cast<double>(values_)); }
 
 SymmetricTest::SymmetricTest(double deviation, double alpha)
     : mixing_variance_(usual_effect * usual_effect / (deviation * deviation)), log_level_(-std::log(alpha)) {

@@ -128,9 +128,6 @@ class BettingGrid {
   // Returns where the true mean lies relative to `mean`, a tested mean. none: `mean` is not rejected.
   BettingTest::Finding finding(double mean) const;
 
-  std::int64_t values() const { return values_; }
-  double mean() const;  // mean of the values; before the first value the middle of the range
-
  private:
   double point(int index) const;  // returns the tested mean with this index, in [0, 1]
   double in_units(double share) const { return design_.low + share * (design_.high - design_.low); }
@@ -140,8 +137,6 @@ class BettingGrid {
   int first_ = 0, last_;  // indices of the first and the last mean that is not rejected
   std::vector<HedgedCapital> capitals_;
   PlugInStake stake_;
-  std::int64_t values_ = 0;
-  double sum_ = 0.0;
 };
 
 // --- A sequential test of the centre of values whose distribution is symmetric around the centre. The distribution may

@@ -5,9 +5,11 @@
 // generalized sequential probability ratio test", notes on the test frame of Stockfish, 2019.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 
 namespace regista::statistics {
 
@@ -23,26 +25,27 @@ enum class PairOutcome : std::uint8_t { two_losses, loss_and_draw, even, win_and
 
 PairOutcome pair_outcome(GameOutcome first, GameOutcome second);
 
-struct GameCounts {
-  std::array<Count, 3> seen{};  // losses, draws, wins
+template <class Outcome, std::size_t outcomes>
+struct OutcomeCounts {
+  std::array<Count, outcomes> seen{};  // in the order of Outcome
 
-  void add(GameOutcome outcome) { ++seen[static_cast<std::size_t>(outcome)]; }
-  friend bool operator==(const GameCounts&, const GameCounts&) = default;
+  void add(Outcome outcome) { ++seen[static_cast<std::size_t>(outcome)]; }
+  friend bool operator==(const OutcomeCounts&, const OutcomeCounts&) = default;
 };
+using GameCounts = OutcomeCounts<GameOutcome, 3>;  // losses, draws, wins
+using PairCounts = OutcomeCounts<PairOutcome, 5>;  // LL, LD, WL + DD, WD, WW
 
-struct PairCounts {
-  std::array<Count, 5> seen{};  // LL, LD, WL + DD, WD, WW
-
-  void add(PairOutcome outcome) { ++seen[static_cast<std::size_t>(outcome)]; }
-  friend bool operator==(const PairCounts&, const PairCounts&) = default;
-};
-
-Count total(const GameCounts& counts);  // number of games
-Count total(const PairCounts& counts);  // number of pairs
+template <class Outcome, std::size_t outcomes>
+Count total(const OutcomeCounts<Outcome, outcomes>& counts) {
+  return std::accumulate(counts.seen.begin(), counts.seen.end(), Count{0});
+}
 
 // Returns the same games from the other team's point of view.
-GameCounts swapped(const GameCounts& counts);
-PairCounts swapped(const PairCounts& counts);
+template <class Outcome, std::size_t outcomes>
+OutcomeCounts<Outcome, outcomes> swapped(OutcomeCounts<Outcome, outcomes> counts) {
+  std::ranges::reverse(counts.seen);
+  return counts;
+}
 
 // All games between two teams. All counts are from the first team's point of view.
 struct Encounter {

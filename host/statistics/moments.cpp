@@ -10,10 +10,7 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
 
 namespace regista::statistics {
 
@@ -120,7 +117,7 @@ std::optional<TwoWayAnalysis> two_way_analysis(std::span<const std::vector<doubl
     out.f = row_square / residual_square;
     out.p = fisher_f_above(out.f, row_degrees, residual_degrees);
   } else if (row_square > 0.0) {
-    out.f = std::numeric_limits<double>::infinity();
+    out.f = infinite;
     out.p = 0.0;
   }
   return out;

@@ -9,8 +9,6 @@
 #include <numbers>
 #include <numeric>
 
-#include "statistics/moments.hpp"
-
 namespace regista::statistics {
 namespace {
 
@@ -204,10 +202,10 @@ double sign_flip_p(const WholeCounts& seen) {
   return std::min(1.0, 2.0 * tail);
 }
 
-std::int64_t smallest_pairs(double alpha, std::int64_t family, PairedTest test) {
-  assert(alpha > 0.0 && alpha < 1.0 && family >= 1);
-  if (test == PairedTest::student_t) return 2;
-  const double level = alpha / static_cast<double>(family);
+std::int64_t smallest_pairs(const PowerDesign& design) {
+  assert(design.alpha > 0.0 && design.alpha < 1.0 && design.family >= 1);
+  if (design.test == PairedTest::student_t) return 2;
+  const double level = design.alpha / static_cast<double>(design.family);
   std::int64_t pairs = 1;
   for (double p = 1.0; p > level; p /= 2.0) ++pairs;
   return pairs;
@@ -228,7 +226,7 @@ std::optional<std::int64_t> pairs_needed(double difference, double standard_devi
   const auto enough = [&](std::int64_t pairs) {
     return power_of(pairs, difference, standard_deviation, design) >= design.power;
   };
-  const std::int64_t fewest = smallest_pairs(design.alpha, design.family, design.test);
+  const std::int64_t fewest = smallest_pairs(design);
   if (enough(fewest)) return fewest;
   // Power grows with the number of pairs: `below` pairs are too few, and `above` pairs are enough.
   std::int64_t below = fewest, above = 2 * fewest;
@@ -245,7 +243,7 @@ std::optional<std::int64_t> pairs_needed(double difference, double standard_devi
 }
 
 std::optional<double> difference_found(std::int64_t pairs, double standard_deviation, const PowerDesign& design) {
-  if (pairs < smallest_pairs(design.alpha, design.family, design.test)) return std::nullopt;
+  if (pairs < smallest_pairs(design)) return std::nullopt;
   const auto enough = [&](double difference) {
     return power_of(pairs, difference, standard_deviation, design) >= design.power;
   };

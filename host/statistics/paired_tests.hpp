@@ -66,7 +66,7 @@ struct PowerDesign {
 
 // Returns the least number of pairs (sign flips: uneven pairs) that allows a rejection. At level 0.05 this number is 6,
 // and in a family of three tests 7.
-std::int64_t smallest_pairs(double alpha, std::int64_t family, PairedTest test = PairedTest::sign_flip);
+std::int64_t smallest_pairs(const PowerDesign& design);
 
 // Differences are means of pairs. Standard deviations refer to the difference of one pair, in the same unit, above 0.
 

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "statistics/moments.hpp"
-
 namespace regista::statistics {
 namespace {
 
@@ -44,17 +42,6 @@ constexpr int most_rounds = 2000;
 constexpr int most_newton_steps = 100;
 constexpr double settled = 1e-13;  // largest relative change of a strength in a round
 
-SquareTable with_draws(const SquareTable& points, double drawn) {
-  SquareTable out(points.teams());
-  for (std::size_t i = 0; i < points.teams(); ++i) {
-    for (std::size_t j = 0; j < points.teams(); ++j) {
-      assert(i == j || points.at(i, j) >= 0.0);
-      if (i != j) out.at(i, j) = points.at(i, j) + drawn / 2.0;
-    }
-  }
-  return out;
-}
-
 // Returns whether a chain of points leads from the first team to every other team and back.
 bool connected(const SquareTable& points) {
   for (const bool forwards : {true, false}) {
@@ -82,6 +69,7 @@ double improve(const SquareTable& points, std::vector<double>& strength) {
     double wins = 0.0, weighted = 0.0;
     for (std::size_t j = 0; j < strength.size(); ++j) {
       if (j == i) continue;
+      assert(points.at(i, j) >= 0.0);
       wins += points.at(i, j);
       weighted += (points.at(i, j) + points.at(j, i)) / (strength[i] + strength[j]);
     }
@@ -184,7 +172,7 @@ void add_spread(const Encounter& encounter, const Counts& counts, double points_
 
 // Returns half the width of each team's interval; infinite for a team without a spread.
 std::vector<double> margins(const SquareTable& points, std::span<const Encounter> encounters,
-                            const std::vector<double>& elo, double confidence) {
+                            const std::vector<double>& elo) {
   const MatrixXd inverse = inverse_curvature(points, elo);
   std::vector<PointsSpread> spreads;
   for (const Encounter& each : encounters) {
@@ -298,7 +286,7 @@ double elo_of_score(double score) {
 
 double score_of_elo(double elo) { return 1.0 / (1.0 + std::pow(10.0, -elo / 400.0)); }
 
-Interval score_interval(const ScoreLaw& law, double confidence) {
+Interval score_interval(const ScoreLaw& law) {
   const double tail = (1.0 - confidence) / 2.0;
   const SeenScores seen = seen_scores(law);
   const auto n = static_cast<double>(seen.units);
@@ -314,12 +302,12 @@ Interval score_interval(const ScoreLaw& law, double confidence) {
   return leads ? Interval{least, 1.0} : Interval{0.0, 1.0 - least};
 }
 
-Estimate elo(const ScoreLaw& law, double confidence) {
-  const Interval score = score_interval(law, confidence);
+Estimate elo(const ScoreLaw& law) {
+  const Interval score = score_interval(law);
   return {elo_of_score(seen_scores(law).mean), {elo_of_score(score.low), elo_of_score(score.high)}};
 }
 
-Estimate normalized_elo(const ScoreLaw& law, double confidence) {
+Estimate normalized_elo(const ScoreLaw& law) {
   const double games_per_unit = law.unit == Unit::pair ? 2.0 : 1.0;
   const double value = normalized_elo_scale * (law.mean - 0.5) / std::sqrt(games_per_unit * law.variance);
   if (few_for_spread(law) != FewForSpread::no) return {value, {-infinite, infinite}};
@@ -354,15 +342,13 @@ std::optional<double> pair_ratio(const PairCounts& counts) {
   return static_cast<double>(seen[3] + seen[4]) / static_cast<double>(seen[0] + seen[1]);
 }
 
-std::optional<std::vector<double>> bradley_terry_elo(const SquareTable& points, double drawn_before) {
-  assert(drawn_before >= 0.0);
-  const SquareTable all = with_draws(points, drawn_before);
-  if (points.teams() > 1 && !connected(all)) return std::nullopt;
+std::optional<std::vector<double>> bradley_terry_elo(const SquareTable& points) {
+  if (points.teams() > 1 && !connected(points)) return std::nullopt;
   std::vector<double> strength(points.teams(), 1.0);
   bool is_settled = points.teams() < 2;
-  for (int round = 0; !is_settled && round < most_rounds; ++round) is_settled = improve(all, strength) <= settled;
+  for (int round = 0; !is_settled && round < most_rounds; ++round) is_settled = improve(points, strength) <= settled;
   for (double& each : strength) each = 400.0 * std::log10(each);
-  if (!is_settled) settle(all, strength);
+  if (!is_settled) settle(points, strength);
   return strength;
 }
 
@@ -386,8 +372,7 @@ std::vector<std::size_t> groups_that_met(std::size_t teams, std::span<const Enco
   return group;
 }
 
-std::optional<std::vector<Estimate>> bradley_terry(std::size_t teams, std::span<const Encounter> encounters,
-                                                   double confidence) {
+std::optional<std::vector<Estimate>> bradley_terry(std::size_t teams, std::span<const Encounter> encounters) {
   const SquareTable points = points_won(teams, encounters);
   const std::optional<std::vector<double>> elo = bradley_terry_elo(points);
   if (!elo) return std::nullopt;
@@ -399,7 +384,7 @@ std::optional<std::vector<Estimate>> bradley_terry(std::size_t teams, std::span<
     units[each.second].add(swapped(each.games));
   }
   const std::vector<double> margin =
-      teams > 1 ? margins(points, encounters, *elo, confidence) : std::vector<double>(teams, infinite);
+      teams > 1 ? margins(points, encounters, *elo) : std::vector<double>(teams, infinite);
   std::vector<Estimate> out;
   for (std::size_t i = 0; i < teams; ++i) {
     const double value = (*elo)[i], half = units[i].tell_the_spread() ? margin[i] : infinite;

@@ -33,6 +33,9 @@ inline constexpr double normalized_elo_scale = 347.43558552260146;  // 800 / ln 
 double elo_of_score(double score);
 double score_of_elo(double elo);  // 1 / (1 + 10^(-elo/400))
 
+// All intervals in this file have this confidence.
+inline constexpr double confidence = 0.95;
+
 // Returns the interval of the true mean score, a part of [0, 1]. If the units do not bound the score: {0, 1}. Methods:
 //   - With fewest_uneven or more units that did not score 1/2: Student's t, units - 1 degrees of freedom.
 //   - If Student's interval exceeds [0, 1]: the method of C. J. Clopper and E. S. Pearson, "The Use of Confidence or
@@ -40,10 +43,10 @@ double score_of_elo(double elo);  // 1 / (1 + 10^(-elo/400))
 //     won outright. The score of this team is at least this share. The other bound is 0 or 1.
 //   - If all n units scored the same s other than 1/2: at least s tail^(1/n), for any n, by Markov's inequality: a team
 //     with mean score m reaches s or more with a probability of at most m / s. Each tail is (1 - confidence) / 2.
-Interval score_interval(const ScoreLaw& law, double confidence = 0.95);
+Interval score_interval(const ScoreLaw& law);
 
 // Returns Elo of the observed mean score and its interval from score_interval(). Elo is infinite if all units were won.
-Estimate elo(const ScoreLaw& law, double confidence = 0.95);
+Estimate elo(const ScoreLaw& law);
 
 // Normalised Elo: 347.44 (mean - 1/2) / sd of one game; for pairs, sd of one game = sqrt(2 variance).
 //
@@ -51,7 +54,7 @@ Estimate elo(const ScoreLaw& law, double confidence = 0.95);
 // d +- t sqrt((1 - d skewness + d^2 (kurtosis - 1) / 4) / (units - 1)). Skewness and kurtosis (3 for a normal
 // distribution) refer to the scores of units. t is Student's t with units - 1 degrees of freedom, or fewer if few units
 // cause most of this variance. If few_for_spread() is not `no`, the interval is infinite on both sides.
-Estimate normalized_elo(const ScoreLaw& law, double confidence = 0.95);
+Estimate normalized_elo(const ScoreLaw& law);
 
 // The reason why the units are too few to estimate the spread, so that normalised Elo has no interval. In simulations
 // (benchmarks/statistics/coverage.cpp), intervals from so few units contained the truth in less than 90 % of cases.
@@ -63,7 +66,7 @@ enum class FewForSpread {
 FewForSpread few_for_spread(const ScoreLaw& law);
 
 // Returns the likelihood of superiority, in (0, 1): the part above 1/2 of Student's distribution around the mean score.
-// Returns nothing if score_interval() at 95 % uses another method than Student's t.
+// Returns nothing if score_interval() uses another method than Student's t.
 std::optional<double> likelihood_of_superiority(const ScoreLaw& law);
 
 // Returns pairs won over pairs lost: (WD + WW) / (LL + LD), or nothing without a lost pair.
@@ -102,9 +105,8 @@ class SquareTable {
 //
 // Returns nothing if the points do not determine the strengths: a team or a group of teams took no point from all
 // others or never met them (the condition of L. R. Ford, "Solution of a Ranking Problem from Binary Comparisons",
-// American Mathematical Monthly 64, 1957). `drawn_before`, 0 or more, adds this number of draws between every two
-// teams. With such draws a result always exists, and the Elo are slightly nearer to 0.
-std::optional<std::vector<double>> bradley_terry_elo(const SquareTable& points, double drawn_before = 0.0);
+// American Mathematical Monthly 64, 1957).
+std::optional<std::vector<double>> bradley_terry_elo(const SquareTable& points);
 
 // Returns the points of all encounters as bradley_terry_elo() needs them. Two teams may have several encounters.
 SquareTable points_won(std::size_t teams, std::span<const Encounter> encounters);
@@ -116,8 +118,7 @@ std::vector<std::size_t> groups_that_met(std::size_t teams, std::span<const Enco
 // was fixed in advance and if pairs and single games are independent. They use Student's t with degrees of freedom by
 // F. E. Satterthwaite, "An Approximate Distribution of Estimates of Variance Components", Biometrics Bulletin 2, 1946.
 // A team has an infinite interval if fewer than `fewest_uneven` of its units were uneven or if it won or lost all.
-std::optional<std::vector<Estimate>> bradley_terry(std::size_t teams, std::span<const Encounter> encounters,
-                                                   double confidence = 0.95);
+std::optional<std::vector<Estimate>> bradley_terry(std::size_t teams, std::span<const Encounter> encounters);
 
 // --- Nash averaging: a ranking that shows cycles and does not change if a team is copied. The ranking is the
 // equilibrium of the largest entropy in a symmetric zero-sum game in which both players choose a team. D. Balduzzi et

@@ -149,7 +149,6 @@ class SequentialTest {
   Verdict verdict_ = Verdict::inconclusive;
 };
 
-// Returns the verdict for one ratio.
 Verdict verdict_on(LogLikelihoodRatio ratio, SequentialBounds bounds);
 
 }  // namespace regista::statistics

@@ -150,19 +150,21 @@ MeanEstimate Experiment::mean(std::size_t condition, std::size_t measure) const 
 }
 
 MeanEstimate Experiment::difference(const Comparison& comparison, std::size_t measure) const {
-  return difference_of(values(comparison.first, measure), values(comparison.second, measure), plan_.asked.confidence);
+  return mean_of(paired_differences(values(comparison.first, measure), values(comparison.second, measure)),
+                 plan_.asked.confidence);
 }
 
 MeanEstimate Experiment::slope(std::size_t arm, std::size_t measure) const {
   return mean_of(values_of(contrast_of(plan_, *this, arm, measure)), plan_.asked.confidence);
 }
 
-std::optional<std::size_t> primary_measure(const ExperimentPlan& plan) {
-  const std::string primary = plan.primary();
-  const auto found = std::ranges::find(plan.measures, primary);
-  if (primary.empty() || found == plan.measures.end()) return std::nullopt;
+std::optional<std::size_t> measure_index(const ExperimentPlan& plan, const std::string& measure) {
+  const auto found = std::ranges::find(plan.measures, measure);
+  if (found == plan.measures.end()) return std::nullopt;
   return static_cast<std::size_t>(found - plan.measures.begin());
 }
+
+std::optional<std::size_t> primary_measure(const ExperimentPlan& plan) { return measure_index(plan, plan.primary()); }
 
 Findings findings(const ExperimentPlan& plan, const Experiment& course) {
   const std::optional<std::size_t> measure = primary_measure(plan);

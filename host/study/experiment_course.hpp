@@ -124,7 +124,8 @@ struct Findings {
 // experiment, because the test needs a number of matches that was fixed beforehand.
 Findings findings(const ExperimentPlan& plan, const Experiment& course);
 
-// Index of the primary measure; nullopt if the plan has none.
+// Indices of the measure with this name and of the primary measure; nullopt if the plan does not have it.
+std::optional<std::size_t> measure_index(const ExperimentPlan& plan, const std::string& measure);
 std::optional<std::size_t> primary_measure(const ExperimentPlan& plan);
 
 }  // namespace regista::study

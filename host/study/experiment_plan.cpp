@@ -6,12 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
 
-#include "config/documents.hpp"
-#include "config/read.hpp"
-#include "config/values.hpp"
 #include "match/game_state.hpp"
 #include "match/metric_table.hpp"
 #include "match/teams.hpp"
@@ -53,16 +49,9 @@ void add_once(std::vector<std::string>& to, const std::string& text) {
   if (std::ranges::find(to, text) == to.end()) to.push_back(text);
 }
 
-class ExperimentPlanner {
+class ExperimentPlanner : Planner<ExperimentPlan> {
  public:
-  ExperimentPlanner(const config::Node& document, const std::vector<std::string>& plugins,
-                    const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
-      : document_(document), catalogue_(catalogue), mistakes_(mistakes) {
-    plan_.asked = config::read_document<config::Experiment>(document);
-    config::rename_files(declare(plan_.asked), from_here);
-    plan_.folder = std::filesystem::current_path().string();
-    plan_.plugins = plugins;
-  }
+  using Planner<ExperimentPlan>::Planner;
 
   ExperimentPlan plan() {
     if (plan_.arms() * plan_.values() > most_conditions) {
@@ -92,7 +81,6 @@ class ExperimentPlanner {
 
  private:
   void look_at_conditions() {
-    const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
     const auto declarations = plugin::declarations(catalogue_.plugins());
     const auto shown = [&](const config::Node& document) {
       return config::show(document, declarations, config::Remarks::without);
@@ -100,7 +88,7 @@ class ExperimentPlanner {
     std::string opponent;
     const auto look_at = [&](Condition& condition) {
       const config::Overrides settings = settings_of(plan_.asked, document_, condition.arm, condition.value);
-      campaign::MatchSetup prepared = find_inputs(condition.jobs, settings, catalogue_, program, mathematics);
+      campaign::MatchSetup prepared = find_inputs(condition.jobs, settings, catalogue_, program_, mathematics_);
       if (condition.value == 0) plan_.documents.push_back(shown(*prepared.documents[0]));
       if (opponent.empty()) opponent = shown(*prepared.documents[1]);
       for (const std::string& each : metric_paths_of(*prepared.plans[0])) add_once(known_, each);
@@ -190,10 +178,6 @@ class ExperimentPlanner {
     }
   }
 
-  const config::Node& document_;
-  const plugin::Catalogue& catalogue_;
-  config::Mistakes& mistakes_;
-  ExperimentPlan plan_;
   std::vector<match::Setup> setups_;  // by condition
   // The union of the measures of all conditions.
   std::vector<std::string> known_{measures_of_score.begin(), measures_of_score.end()};
@@ -360,8 +344,7 @@ ExperimentPlan experiment_plan_from_json(const std::string& text) {
 }
 
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now) {
-  config::Experiment asked = now.asked;
-  std::vector<std::string> out = config::differences(asked_by(before), declare(asked));
+  std::vector<std::string> out = document_differences(before, now);
   if (before.measures != now.measures) {
     out.push_back(
         fmt::format("the measures: was {}, now {}", fmt::join(before.measures, ", "), fmt::join(now.measures, ", ")));
@@ -383,14 +366,8 @@ std::vector<std::string> differences(const ExperimentPlan& before, const Experim
 }
 
 ExperimentPlan planned_experiment(const config::Node& document, const std::vector<std::string>& plugins,
-                                  const plugin::Catalogue& catalogue) {
-  config::Mistakes first(config::Mistakes::After::stop);
-  return ExperimentPlanner(document, plugins, catalogue, first).plan();
-}
-
-void check_experiment(const config::Node& document, const std::vector<std::string>& plugins,
-                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
-  ExperimentPlanner(document, plugins, catalogue, mistakes).plan();
+                                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  return ExperimentPlanner(document, plugins, catalogue, mistakes).plan();
 }
 
 }  // namespace regista::study

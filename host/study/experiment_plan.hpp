@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of an experiment: arms, values of a sweep, seeds, number of matches, measures and the deciding test. The
-// plan is fixed before the first match. The plan and the results in their order determine all findings.
+// The plan of an experiment: arms, values of a sweep, seeds, number of matches, measures and the deciding test.
 //
 // A condition is an arm at one value of the sweep; without a sweep, each arm is a condition. A pair is a match with the
 // arm's team at home, and the same match with the sides swapped. In all conditions, pair k has the same seed, opening
@@ -76,8 +75,7 @@ struct ExperimentPlan {
   campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 };
 
-// File of an arm's team.
-const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);
+const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);  // file of an arm's team
 
 // Makes all conditions and their jobs from `asked`. Jobs keep the inputs that they already have. document: the document
 // from which `asked` was read, to which errors refer; may be absent. Throws config::Error for impossible settings.
@@ -122,12 +120,9 @@ ExperimentPlan experiment_plan_from_json(const std::string& text);
 std::vector<std::string> differences(const ExperimentPlan& before, const ExperimentPlan& now);
 
 // Makes the plan of a document. Sets up and checks every arm at every value of the sweep before the first match.
-// plugins: folders of the catalogue. Throws config::BadInput, and config::Error at the place of the mistake.
+// plugins: folders of the catalogue. mistakes: gets the mistakes; with any, the plan is incomplete. Throws
+// config::BadInput, and config::Error at the place of a mistake that leaves nothing else to check.
 ExperimentPlan planned_experiment(const config::Node& document, const std::vector<std::string>& plugins,
-                                  const plugin::Catalogue& catalogue);
-
-// Tests whether a document can be planned. Adds every mistake in arms, values and measures to `mistakes`.
-void check_experiment(const config::Node& document, const std::vector<std::string>& plugins,
-                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+                                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

@@ -98,16 +98,12 @@ void PacketsSpent::add(const ShortGamePackets& game) {
   over_.add(game.over);
 }
 
-std::vector<Forfeits>::iterator ForfeitList::find(std::size_t team, const campaign::Failure& failure) {
-  return std::ranges::find_if(listed_, [&](const Forfeits& each) {
+void ForfeitList::add(std::size_t team, const campaign::Failure& failure, std::uint64_t match) {
+  ++of_team_[team];
+  const auto known = std::ranges::find_if(listed_, [&](const Forfeits& each) {
     return each.team == team && each.failure.plugin == failure.plugin && each.failure.call == failure.call &&
            each.failure.what == failure.what;
   });
-}
-
-void ForfeitList::add(std::size_t team, const campaign::Failure& failure, std::uint64_t match) {
-  ++of_team_[team];
-  const auto known = find(team, failure);
   if (known != listed_.end()) {
     ++known->count;
   } else if (listed_.size() < RemarkList::most_listed) {
@@ -115,15 +111,6 @@ void ForfeitList::add(std::size_t team, const campaign::Failure& failure, std::u
   } else {
     ++unlisted_;
   }
-}
-
-void ForfeitList::take_back(std::size_t team, const campaign::Failure& failure) {
-  --of_team_[team];
-  const auto known = find(team, failure);
-  if (known == listed_.end())
-    --unlisted_;
-  else if (--known->count == 0)
-    listed_.erase(known);
 }
 
 void RemarkList::add(std::uint64_t match, const std::string& text) {
@@ -136,15 +123,15 @@ std::string why_unplayable(const std::string& who, const std::string& last) {
 }
 
 void MatchRemarks::take(std::uint64_t match, const campaign::MatchResult& decided) {
-  if (decided.set_aside()) unplayed_.add(match, decided.why_set_aside);
-  if (!decided.irreproducible.empty()) irreproducible_.add(match, decided.irreproducible);
-  if (!decided.shared.empty()) shared_.add(match, decided.shared);
-  if (!decided.broken.empty()) broken_.add(match, decided.broken);
-  if (!decided.kept.empty() && decided.shared.empty() && decided.irreproducible.empty()) kept_.add(match, decided.kept);
-  if (!decided.unproven.empty()) unproven_.add(match, decided.unproven);
+  if (decided.set_aside()) unplayed.add(match, decided.why_set_aside);
+  if (!decided.irreproducible.empty()) irreproducible.add(match, decided.irreproducible);
+  if (!decided.shared.empty()) shared.add(match, decided.shared);
+  if (!decided.broken.empty()) broken.add(match, decided.broken);
+  if (!decided.kept.empty() && decided.shared.empty() && decided.irreproducible.empty()) kept.add(match, decided.kept);
+  if (!decided.unproven.empty()) unproven.add(match, decided.unproven);
   if (decided.output.empty()) return;
-  ++written_count_;
-  if (written_.size() < most_written) written_.push_back(match);
+  ++written_count;
+  if (written.size() < most_written) written.push_back(match);
 }
 
 }  // namespace regista::study

@@ -124,16 +124,12 @@ class ForfeitList {
   explicit ForfeitList(std::size_t teams) : of_team_(teams, 0) {}
 
   void add(std::size_t team, const campaign::Failure& failure, std::uint64_t match);
-  // Undoes the last add(). Precondition: that call had the same team and failure.
-  void take_back(std::size_t team, const campaign::Failure& failure);
 
   const std::vector<Forfeits>& listed() const { return listed_; }  // sorted by the reason's first match
   std::uint64_t unlisted() const { return unlisted_; }             // forfeits with a reason after the first 100 reasons
   const std::vector<std::uint64_t>& of_team() const { return of_team_; }
 
  private:
-  std::vector<Forfeits>::iterator find(std::size_t team, const campaign::Failure& failure);
-
   std::vector<Forfeits> listed_;
   std::vector<std::uint64_t> of_team_;
   std::uint64_t unlisted_ = 0;
@@ -165,27 +161,20 @@ inline constexpr std::uint64_t most_set_aside = 3;
 // The message when most_set_aside ends a study. who: the pairing, "a against b". last: why the last match failed.
 std::string why_unplayable(const std::string& who, const std::string& last);
 
-class MatchRemarks {
- public:
-  static constexpr std::size_t most_written = 20;  // number of matches that written() keeps
+struct MatchRemarks {
+  static constexpr std::size_t most_written = 20;
+
+  RemarkList unplayed;                 // why the matches could not be played
+  RemarkList irreproducible;           // first difference between two plays of a match
+  RemarkList shared;                   // the plugin that used more than its own robot knows
+  RemarkList broken;                   // the promise that a plugin broke in a play with all checks
+  RemarkList kept;                     // plugin state outside objects that changed no match
+  RemarkList unproven;                 // why a second play could not show that robots decide alone
+  std::vector<std::uint64_t> written;  // the first most_written matches in which plugins wrote to standard error
+  std::uint64_t written_count = 0;     // number of all such matches
 
   // Precondition: the caller passes the matches in the order of the schedule.
   void take(std::uint64_t match, const campaign::MatchResult& decided);
-
-  const RemarkList& unplayed() const { return unplayed_; }              // why the matches could not be played
-  const RemarkList& irreproducible() const { return irreproducible_; }  // first difference between two plays of a match
-  const RemarkList& shared() const { return shared_; }      // the plugin that used more than its own robot knows
-  const RemarkList& broken() const { return broken_; }      // the promise that a plugin broke in a play with all checks
-  const RemarkList& kept() const { return kept_; }          // plugin state outside objects that changed no match
-  const RemarkList& unproven() const { return unproven_; }  // why a second play could not show that robots decide alone
-  // The first most_written matches in which plugins wrote to standard error, and the number of all such matches.
-  const std::vector<std::uint64_t>& written() const { return written_; }
-  std::uint64_t written_count() const { return written_count_; }
-
- private:
-  RemarkList unplayed_, irreproducible_, shared_, broken_, kept_, unproven_;
-  std::vector<std::uint64_t> written_;
-  std::uint64_t written_count_ = 0;
 };
 
 }  // namespace regista::study

@@ -13,15 +13,10 @@
 #include "study/experiment_course.hpp"
 #include "study/measure.hpp"
 #include "study/tournament_course.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
-
-std::vector<double> differences(std::span<const double> first, std::span<const double> second) {
-  std::vector<double> out;
-  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) out.push_back(first[i] - second[i]);
-  return out;
-}
 
 std::vector<double> known_of(std::span<const double> values) {
   std::vector<double> out(values.begin(), values.end());
@@ -90,8 +85,7 @@ Answer by_signs(const Contrast& contrast, const std::vector<double>& values, int
 
 void learn_names(const campaign::MatchResult& decided, std::vector<std::string>& known) {
   if (!known.empty() || decided.failure || decided.set_aside() || decided.metrics.empty()) return;
-  const MatchMeasures measures(decided, 0);
-  for (const NamedValue& each : measures.all()) known.push_back(each.path);
+  known = texts::names_of(MatchMeasures(decided, 0).all(), &NamedValue::path);
 }
 
 std::string unit_of_a_match(const std::string& measure) {
@@ -122,17 +116,15 @@ MeanEstimate mean_of(std::span<const double> values, double confidence) {
   return out;
 }
 
-MeanEstimate difference_of(std::span<const double> first, std::span<const double> second, double confidence) {
-  return mean_of(differences(first, second), confidence);
+std::vector<double> paired_differences(std::span<const double> first, std::span<const double> second) {
+  std::vector<double> out;
+  for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i) out.push_back(first[i] - second[i]);
+  return out;
 }
 
 const char* name(PairMethod method) {
   constexpr std::array names{"student_t", "sign_flip", "sign_flip_normal_law"};
   return names[static_cast<std::size_t>(method)];
-}
-
-std::optional<PairP> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test) {
-  return p_of_values(differences(first, second), test);
 }
 
 std::optional<PairP> p_of_values(std::span<const double> values, PairTest test) {
@@ -240,7 +232,8 @@ PairDifferences pair_differences(const ExperimentPlan& plan, const campaign::Sto
     compared.first = label(plan, each.first);
     compared.second = label(plan, each.second);
     compared.equal = equal_conditions(plan, each);
-    for (const double difference : known_of(differences(course.values(each.first, 0), course.values(each.second, 0))))
+    for (const double difference :
+         known_of(paired_differences(course.values(each.first, 0), course.values(each.second, 0))))
       compared.add(difference);
   }
   return out;

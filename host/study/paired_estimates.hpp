@@ -26,8 +26,8 @@ struct MeanEstimate {
 // The mean of the values, one per pair.
 MeanEstimate mean_of(std::span<const double> values, double confidence);
 
-// The mean of first[i] - second[i]. The shorter list determines the number of pairs.
-MeanEstimate difference_of(std::span<const double> first, std::span<const double> second, double confidence);
+// first[i] - second[i]. The shorter list determines the number of pairs.
+std::vector<double> paired_differences(std::span<const double> first, std::span<const double> second);
 
 // The method that computed a p-value.
 enum class PairMethod {
@@ -42,10 +42,8 @@ struct PairP {
   PairMethod by;
 };
 
-// Returns nullopt if fewer than two pairs have a value in both lists, and p = 1 if all differences are 0. Student's t
-// is undefined if all differences are equal but not 0; the sign-flip test then replaces Student's t.
-std::optional<PairP> p_of_difference(std::span<const double> first, std::span<const double> second, PairTest test);
-// Like p_of_difference(), for one number per pair instead of a difference.
+// Tests the values, one per pair. Returns nullopt for fewer than two values, and p = 1 if all values are 0. Student's t
+// is undefined if all values are equal but not 0; the sign-flip test then replaces Student's t.
 std::optional<PairP> p_of_values(std::span<const double> values, PairTest test);
 
 // --- The trend of a measure over the values of a sweep: the slope of the straight line that fits the values of a pair

@@ -16,6 +16,7 @@
 #include <climits>
 #include <concepts>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -29,6 +30,7 @@
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
+#include "plugin/catalogue.hpp"
 #include "study/settings.hpp"
 #include "study/study.hpp"
 #include "texts/json.hpp"
@@ -201,15 +203,19 @@ Plan read_plan(const std::string& text, const char* study, Upgrade upgrade, Comp
   }
 }
 
-// The document of a plan as a tree of nodes.
+// The differences between the documents of two plans, in words.
 template <class Plan>
-config::Node asked_by(const Plan& plan) {
-  return config::parse_text(config::document_text(plan.asked), "its document");
+std::vector<std::string> document_differences(const Plan& before, const Plan& now) {
+  auto asked = now.asked;
+  return config::differences(config::parse_text(config::document_text(before.asked), "its document"), declare(asked));
 }
 
 // Collects the differences between the input files of two plans with the same teams and conditions, without repeats.
 class InputDifferences {
  public:
+  // lines: the differences that are known already.
+  explicit InputDifferences(std::vector<std::string> lines = {}) : lines_(std::move(lines)) {}
+
   // whose: the beginning of every difference, such as "the opponent: ".
   void add(const std::string& whose, std::span<const campaign::Input> then, std::span<const campaign::Input> today) {
     for (const std::string& each : campaign::differences(then, today)) {
@@ -220,19 +226,13 @@ class InputDifferences {
 
   // Adds the differences between scenes and returns all. Reports the order of scenes only if nothing else differs.
   std::vector<std::string> with_openings(std::span<const Opening> then, std::span<const Opening> today) && {
-    const std::vector<campaign::Input> before = inputs(then), now = inputs(today);
+    const std::vector<campaign::Input> before = inputs_of(then), now = inputs_of(today);
     add("", before, now);
     if (lines_.empty() && before != now) lines_.push_back("the openings come in another order");
     return std::move(lines_);
   }
 
  private:
-  static std::vector<campaign::Input> inputs(std::span<const Opening> openings) {
-    std::vector<campaign::Input> out;
-    for (const Opening& each : openings) out.push_back(each.input);
-    return out;
-  }
-
   std::vector<std::string> lines_;
 };
 
@@ -241,5 +241,28 @@ class InputDifferences {
 PlanJson tournament_of_version_1(const PlanJson& plan);
 PlanJson experiment_of_version_1(const PlanJson& plan);
 PlanJson tuning_of_version_1(const PlanJson& plan);
+
+// --- What the planners of all studies begin with: the document, its plugins, and a plan with the facts that need no
+// plugin. mistakes: gets the mistakes of the document, or throws the first one.
+template <class Plan>
+class Planner {
+ public:
+  // plugins: folders of the catalogue.
+  Planner(const config::Node& document, const std::vector<std::string>& plugins, const plugin::Catalogue& catalogue,
+          config::Mistakes& mistakes)
+      : document_(document), catalogue_(catalogue), mistakes_(mistakes) {
+    plan_.asked = config::read_document<decltype(plan_.asked)>(document);
+    config::rename_files(declare(plan_.asked), from_here);
+    plan_.folder = std::filesystem::current_path().string();
+    plan_.plugins = plugins;
+  }
+
+ protected:
+  const config::Node& document_;
+  const plugin::Catalogue& catalogue_;
+  config::Mistakes& mistakes_;
+  const std::string program_ = campaign::program_hash(), mathematics_ = campaign::mathematics_fingerprint();
+  Plan plan_;
+};
 
 }  // namespace regista::study

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "study/settings.hpp"
 
-#include <Random123/philox.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 #include "config/documents.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
+#include "match/chance.hpp"
 #include "match/game_state.hpp"
 #include "match/metric_table.hpp"
 #include "match/teams.hpp"
@@ -70,6 +70,12 @@ void require_settable(const config::Node::Entry& entry, const std::string& what)
 
 }  // namespace
 
+std::vector<campaign::Input> inputs_of(std::span<const Opening> openings) {
+  std::vector<campaign::Input> out;
+  for (const Opening& each : openings) out.push_back(each.input);
+  return out;
+}
+
 const char* games_in_words(std::span<const Opening> openings) {
   return openings.empty() ? "matches" : "games from scenes";
 }
@@ -88,9 +94,9 @@ std::string scenes_in_words(std::span<const Opening> openings, std::optional<dou
 
 std::size_t drawn_opening(std::uint64_t seed, std::size_t openings) {
   constexpr std::uint32_t purpose = 0x6f70656e;  // "open" in ASCII; other uses of the seed have other numbers
-  const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}};
-  const auto random = r123::Philox4x32()(counter, {{purpose, 0}});
-  return static_cast<std::size_t>((std::uint64_t{random[0]} << 32 | random[1]) % openings);
+  match::RandomWords words(purpose, {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32), 0, 0});
+  const std::uint64_t high = words.next();
+  return static_cast<std::size_t>((high << 32 | words.next()) % openings);
 }
 
 void require_present_names(const config::Node& set, const std::string& what) {
@@ -154,9 +160,7 @@ config::Overrides on_side(const config::Overrides& settings, std::size_t side) {
 }
 
 std::vector<std::string> as_typed(const config::Overrides& settings) {
-  std::vector<std::string> out;
-  for (const config::Override& each : settings) out.push_back(to_string(each));
-  return out;
+  return texts::names_of(settings, [](const config::Override& each) { return to_string(each); });
 }
 
 std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds) {

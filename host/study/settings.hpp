@@ -37,6 +37,8 @@ struct Opening {
   double length = 0.0;  // s of play until the game ends; 0: unknown, as in plans of earlier versions
 };
 
+std::vector<campaign::Input> inputs_of(std::span<const Opening> openings);
+
 // "matches", or "games from scenes" if there are openings.
 const char* games_in_words(std::span<const Opening> openings);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -14,9 +15,7 @@ namespace {
 struct NotPlayed {};
 
 std::vector<std::int64_t> numbers_of(const Round& round, const campaign::Store& store) {
-  std::vector<std::string> keys;
-  for (const campaign::Store::Fixture& each : round.fixtures) keys.push_back(each.key);
-  return store.numbers(keys);
+  return store.numbers(texts::names_of(round.fixtures, &campaign::Store::Fixture::key));
 }
 
 }  // namespace

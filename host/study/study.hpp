@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The interface of all studies. A study has a plan that was fixed before the first match, asks for rounds of matches,
-// and has findings that grow with the results. A study does not know whether an engine plays its matches or a results
-// file holds their results. So the same code runs when a study is played, resumed or read back.
+// and has findings that grow with the results. The plan and the results in their order determine all findings. A study
+// does not know whether an engine plays its matches or a results file holds their results. So the same code runs when a
+// study is played, resumed or read back.
 #pragma once
 
 #include <cstddef>

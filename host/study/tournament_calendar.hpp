@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The schedule of a tournament: which teams meet in which match, with which seed and scene, and the jobs of these
-// matches.
+// matches. In Swiss and knock-out tournaments, results decide who meets in a round.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -13,9 +14,33 @@
 #include "campaign/store.hpp"
 #include "config/overlay.hpp"
 #include "study/tournament_plan.hpp"
-#include "study/tournament_rounds.hpp"
 
 namespace regista::study {
+
+// --- Draws of rounds. An earlier team is seeded higher, and stands first in a pairing.
+
+// What a Swiss tournament knows of its earlier rounds, by team.
+struct SwissStanding {
+  std::vector<double> points;
+  std::vector<char> plays;             // 0: the team has left the tournament
+  std::vector<char> had_bye;           // 1: the team has been without an opponent before
+  std::vector<std::vector<char>> met;  // [i][j]: i and j have met
+};
+
+// Draws a round after Monrad: teams stand in the order of their points, and each meets the next one that it has not
+// met. If that leaves teams over, the draw is changed from its end, and two teams meet again only if nothing else is
+// possible. With an odd number of teams, the last team that had no bye gets one: it has no opponent in this round.
+std::vector<Pairing> swiss_round(const SwissStanding& standing);
+
+// The usual number of rounds: as many as a knock-out of these teams has.
+std::size_t knock_out_rounds(std::size_t teams);
+
+// Draws a round of a knock-out, from 0. The higher seeds meet as late as possible, and have byes in the first round if
+// the number of teams is no power of two. winner: decides a meeting of an earlier round.
+std::vector<Pairing> knock_out_round(std::size_t teams, std::size_t round,
+                                     const std::function<std::size_t(const Pairing&)>& winner);
+
+// --- The schedule.
 
 // A match of the schedule.
 struct Fixture {
@@ -50,7 +75,7 @@ class Calendar {
   std::span<const std::vector<std::size_t>> drawn() const { return drawn_; }
   void draw(std::vector<std::size_t> pairings);
   std::uint64_t drawn_matches() const { return first_of_round_.back(); }
-  std::size_t index_of(const TeamPair& teams) const;
+  std::size_t index_of(const Pairing& teams) const;
 
  private:
   std::vector<Pairing> pairings_;

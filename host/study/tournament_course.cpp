@@ -171,15 +171,15 @@ void Tournament::run(const PlayRound& play) {
 }
 
 std::vector<std::size_t> Tournament::next_round() const {
-  std::vector<TeamPair> meetings;
+  std::vector<Pairing> meetings;
   if (plan_.asked.format == config::Tournament::Format::knock_out) {
     meetings = knock_out_round(plan_.teams.size(), calendar_.drawn().size(),
-                               [this](const TeamPair& pair) { return winner(meetings_[calendar_.index_of(pair)]); });
+                               [this](const Pairing& pair) { return winner(meetings_[calendar_.index_of(pair)]); });
   } else {
-    meetings = swiss_round(swiss_standing()).meetings;
+    meetings = swiss_round(swiss_standing());
   }
   std::vector<std::size_t> out;
-  for (const TeamPair& each : meetings) out.push_back(calendar_.index_of(each));
+  for (const Pairing& each : meetings) out.push_back(calendar_.index_of(each));
   return out;
 }
 
@@ -258,8 +258,11 @@ void Tournament::add(Meeting& meeting, const Fixture& fixture, const campaign::M
                                  decided.why_set_aside);
   }
   if (first_at_home) {
-    before_pair_ = {
-        meeting.games, meeting.goals, meeting.goals_of_matches, {packets_[fixture.home], packets_[fixture.away]}};
+    before_pair_ = {meeting.games,
+                    meeting.goals,
+                    meeting.goals_of_matches,
+                    forfeits_,
+                    {packets_[fixture.home], packets_[fixture.away]}};
   }
   count_row(fixture, decided);
   if (first_at_home) {
@@ -339,12 +342,10 @@ void Tournament::leave_out_pair(Meeting& meeting, const Fixture& fixture) {
   meeting.games = before_pair_.games;
   meeting.goals = before_pair_.goals;
   meeting.goals_of_matches = before_pair_.goals_of_matches;
+  forfeits_ = before_pair_.forfeits;
   // The away team of this match was at home in the first match of the pair.
   packets_[fixture.away] = before_pair_.packets[0];
   packets_[fixture.home] = before_pair_.packets[1];
-  if (first_of_pair_->failure) {
-    forfeits_.take_back(first_of_pair_->failure->side == 0 ? fixture.away : fixture.home, *first_of_pair_->failure);
-  }
   ++meeting.unplayed_pairs;
   if (std::holds_alternative<FixedNumber>(objective_)) return;
   if (!meeting.either_way) meeting.either_way = {test_of(meeting), test_of(meeting)};

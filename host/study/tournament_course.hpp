@@ -28,7 +28,6 @@
 #include "study/study.hpp"
 #include "study/tournament_calendar.hpp"
 #include "study/tournament_plan.hpp"
-#include "study/tournament_rounds.hpp"
 
 namespace regista::study {
 
@@ -146,11 +145,12 @@ class Tournament final : public Study {
     std::string plugin;
     std::uint64_t failures = 0;
   };
-  // A meeting's counts before the first match of the current pair. leave_out_pair() restores these counts.
+  // The counts before the first match of the current pair. leave_out_pair() restores these counts.
   struct BeforePair {
     statistics::GameCounts games;
     std::array<std::uint64_t, 2> goals{};
     statistics::Moments goals_of_matches;
+    ForfeitList forfeits{0};
     std::array<PacketsSpent, 2> packets;  // packets_ of the pairing's teams
   };
   bool is_set_aside(std::size_t team) const;

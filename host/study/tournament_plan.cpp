@@ -4,24 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "campaign/match_setup.hpp"
-#include "config/documents.hpp"
-#include "config/overlay.hpp"
-#include "config/read.hpp"
-#include "config/values.hpp"
 #include "match/match.hpp"
 #include "match/side.hpp"
 #include "plugin/info.hpp"
 #include "study/measure.hpp"
 #include "study/plan_fields.hpp"
 #include "study/tournament_calendar.hpp"
-#include "study/tournament_rounds.hpp"
 #include "texts/message.hpp"
 
 namespace regista::study {
@@ -98,23 +91,12 @@ struct Scene {
   std::string file, who;  // who: the beginning of messages about the scene
 };
 
-class TournamentPlanner {
+class TournamentPlanner : Planner<TournamentPlan> {
  public:
-  TournamentPlanner(const config::Node& document, const std::vector<std::string>& plugins,
-                    const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
-      : document_(document),
-        catalogue_(catalogue),
-        mistakes_(mistakes),
-        program_(campaign::program_hash()),
-        mathematics_(campaign::mathematics_fingerprint()) {
-    plan_.asked = config::read_document<config::Tournament>(document);
-    config::rename_files(declare(plan_.asked), from_here);
-    plan_.teams.resize(plan_.asked.teams.size());
-    plan_.folder = std::filesystem::current_path().string();
-    plan_.plugins = plugins;
-  }
+  using Planner<TournamentPlan>::Planner;
 
   PlannedTournament planned() {
+    plan_.teams.resize(plan_.asked.teams.size());
     for (const config::Node::Entry& each : plan_.asked.settings.set.entries()) require_settable(each, plan_);
     find_scenes();
     for (std::size_t team = 0; team < plan_.teams.size(); ++team) {
@@ -248,12 +230,7 @@ class TournamentPlanner {
                                     plan_.teams.size(), plan_.openings.size(), fixtures, most_fixtures));
   }
 
-  const config::Node& document_;
-  const plugin::Catalogue& catalogue_;
-  config::Mistakes& mistakes_;
-  std::string program_, mathematics_;
   std::vector<Scene> scenes_;
-  TournamentPlan plan_;
   std::vector<std::string> documents_;
 };
 
@@ -392,33 +369,19 @@ TournamentPlan tournament_plan_from_json(const std::string& text) {
 }
 
 std::vector<std::string> differences(const TournamentPlan& before, const TournamentPlan& now) {
-  config::Tournament asked = now.asked;
-  std::vector<std::string> out = config::differences(asked_by(before), declare(asked));
+  InputDifferences out(document_differences(before, now));
   for (std::size_t team = 0; team < std::min(before.teams.size(), now.teams.size()); ++team) {
-    for (const auto inputs : {&Entrant::inputs, &Entrant::disturbances}) {
-      for (const std::string& each : campaign::differences(before.teams[team].*inputs, now.teams[team].*inputs))
-        out.push_back(fmt::format("team {}: {}", before.teams[team].label, each));
-    }
+    const std::string whose = fmt::format("team {}: ", before.teams[team].label);
+    out.add(whose, before.teams[team].inputs, now.teams[team].inputs);
+    out.add(whose, before.teams[team].disturbances, now.teams[team].disturbances);
   }
-  const auto inputs = [](const TournamentPlan& plan) {
-    std::vector<campaign::Input> all = plan.common_inputs;
-    for (const Opening& opening : plan.openings) all.push_back(opening.input);
-    return all;
-  };
-  for (const std::string& each : campaign::differences(inputs(before), inputs(now))) out.push_back(each);
-  if (out.empty() && inputs(before) != inputs(now)) out.push_back("the openings come in another order");
-  return out;
+  out.add("", before.common_inputs, now.common_inputs);
+  return std::move(out).with_openings(before.openings, now.openings);
 }
 
 PlannedTournament planned_tournament(const config::Node& document, const std::vector<std::string>& plugins,
-                                     const plugin::Catalogue& catalogue) {
-  config::Mistakes first(config::Mistakes::After::stop);
-  return TournamentPlanner(document, plugins, catalogue, first).planned();
-}
-
-void check_tournament(const config::Node& document, const std::vector<std::string>& plugins,
-                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
-  mistakes.attempt("", [&] { TournamentPlanner(document, plugins, catalogue, mistakes).planned(); });
+                                     const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  return TournamentPlanner(document, plugins, catalogue, mistakes).planned();
 }
 
 }  // namespace regista::study

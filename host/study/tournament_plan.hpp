@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of a tournament: teams, order of matches, scenes and the deciding test. The plan is fixed before the first
-// match. The plan and the results in their order determine all findings.
+// The plan of a tournament: teams, order of matches, scenes and the deciding test.
 //
 // The order of matches, from the outer to the inner loop, is: pairs, pairings, and the two matches of a pairing. The
 // pairing's first team is at home in the first match; the second match is the same with the sides swapped. All matches
@@ -8,10 +7,10 @@
 // opening k modulo the number of openings. With a test, drawn_opening() selects the opening.
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -64,6 +63,7 @@ bool is_disturbance(const campaign::Input& input, std::size_t side);
 
 struct Pairing {
   std::size_t first, second;  // indices of the plan's teams
+  friend auto operator<=>(const Pairing&, const Pairing&) = default;
 };
 
 struct TournamentPlan {
@@ -130,12 +130,9 @@ struct PlannedTournament {
 };
 
 // Makes the plan of a document. Reads and checks everything before the first match. plugins: folders of the catalogue.
-// Throws config::BadInput, and config::Error at the place of the mistake.
+// mistakes: gets the mistakes in teams and scenes; with any, there is no plan. Throws config::BadInput, and
+// config::Error at the place of a mistake that leaves nothing else to check.
 PlannedTournament planned_tournament(const config::Node& document, const std::vector<std::string>& plugins,
-                                     const plugin::Catalogue& catalogue);
-
-// Tests whether a document can be planned. Adds every mistake in teams and scenes to `mistakes`.
-void check_tournament(const config::Node& document, const std::vector<std::string>& plugins,
-                      const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+                                     const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 }  // namespace regista::study

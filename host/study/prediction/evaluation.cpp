@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "study/prediction/evaluation.hpp"
 
-#include <Random123/philox.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include <numeric>
 #include <utility>
 
+#include "match/chance.hpp"
 #include "statistics/moments.hpp"
 #include "study/prediction/forecast.hpp"
 
@@ -308,8 +308,8 @@ ErrorRatios error_ratios(std::span<const PairedError> errors) {
     std::ranges::fill(times, 0U);
     std::size_t total = 0;
     for (std::size_t i = 0; i < present.size(); ++i) {
-      const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(draw), 0, 0}};
-      const double uniform = r123::Philox4x32{}(counter, r123::Philox4x32::key_type{{0, 0}})[0] * 0x1p-32;
+      match::RandomWords words(0, {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(draw), 0, 0});
+      const double uniform = words.next() * 0x1p-32;
       const std::size_t block = present[static_cast<std::size_t>(uniform * static_cast<double>(present.size()))];
       ++times[block];
       total += sizes[block];

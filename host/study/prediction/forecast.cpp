@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "study/prediction/forecast.hpp"
 
-#include <Random123/philox.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 
 #include "config/rules.hpp"
+#include "match/chance.hpp"
 #include "plugin/parameters.hpp"
 
 namespace regista::study {
@@ -24,17 +24,15 @@ std::vector<bool> shown(const Stretch& stretch, const config::PredictorStudy::Ob
       if (!first && sample.time - place->second < observations.every - slack) continue;
       place->second = sample.time;
     }
-    const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(sample.object),
-                                              static_cast<std::uint32_t>(stretch.number), 0}};
-    const r123::Philox4x32::key_type key{{static_cast<std::uint32_t>(observations.seed), 0}};
-    out[i] = r123::Philox4x32{}(counter, key)[0] * 0x1p-32 >= observations.drop;
+    match::RandomWords words(static_cast<std::uint32_t>(observations.seed),
+                             {static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(sample.object),
+                              static_cast<std::uint32_t>(stretch.number), 0});
+    out[i] = words.next() * 0x1p-32 >= observations.drop;
   }
   return out;
 }
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 unsigned subject_of(const config::PredictorStudy& study) {
   return study.subject == config::PredictorStudy::Subject::ball ? REGISTA_SUBJECT_BALL : REGISTA_SUBJECT_OPPONENTS;
@@ -94,7 +92,7 @@ void Forecaster::listen(std::size_t now) {
   instance_->reset(1);
   const bool ball = study_.subject == config::PredictorStudy::Subject::ball;
   const double variance = study_.camera.noise * study_.camera.noise;
-  const regista_visible_area area{0.0, 0.0, 0.0, pi, study_.camera.range, study_.camera.range};
+  const regista_visible_area area{0.0, 0.0, 0.0, std::numbers::pi, study_.camera.range, study_.camera.range};
   double reached = samples[oldest_].time;
   for (std::size_t i = oldest_; i < samples.size() && samples[i].time <= time;) {
     const double then = samples[i].time;

@@ -90,8 +90,8 @@ struct MatchTally {
 
   // See Study::unplayable(). All matches count as one pairing, because the tuned team plays in each match.
   std::string unplayable() const {
-    if (remarks.unplayed().count() < most_set_aside) return {};
-    return why_unplayable("the tuned team", remarks.unplayed().listed().back().text);
+    if (remarks.unplayed.count() < most_set_aside) return {};
+    return why_unplayable("the tuned team", remarks.unplayed.listed().back().text);
   }
 };
 

@@ -30,7 +30,7 @@ std::string in_words(const campaign::Failure& failure, const std::string& team) 
 }
 
 std::string why_no_number(const MatchTally& tally) {
-  const std::vector<MatchRemark>& unplayed = tally.remarks.unplayed().listed();
+  const std::vector<MatchRemark>& unplayed = tally.remarks.unplayed.listed();
   if (!unplayed.empty()) return ": they could not be played: " + texts::one_line(unplayed.front().text);
   const campaign::Failure* const failure = first_failure(tally, false);
   return failure == nullptr ? "" : ": opponents forfeit: " + in_words(*failure, "an opponent");
@@ -90,7 +90,6 @@ class PairEvaluation {
   std::vector<SearchStep>& steps_;
 };
 
-// Returns the settings of the search. start: the values at which the search begins.
 SearchSettings search_settings(const TuningPlan& plan, const ParameterValues& start) {
   SearchSettings out;
   out.start = point_of(plan, start);

@@ -14,6 +14,7 @@
 
 #include "study/tuning/evaluator.hpp"
 #include "study/tuning/stochastic_search.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 namespace {
@@ -230,11 +231,7 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, E
 
 const char* name(Algorithm algorithm) { return entry(algorithm).name; }
 
-std::vector<std::string> algorithm_names() {
-  std::vector<std::string> out;
-  for (const Entry& each : entries) out.emplace_back(each.name);
-  return out;
-}
+std::vector<std::string> algorithm_names() { return texts::names_of(entries, &Entry::name); }
 
 std::optional<Algorithm> algorithm_named(std::string_view name) {
   std::string kind;

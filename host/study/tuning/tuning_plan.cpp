@@ -367,8 +367,7 @@ TuningPlan tuning_plan_from_json(const std::string& text) {
 }
 
 std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now) {
-  config::Tuning asked = now.asked;
-  std::vector<std::string> out = config::differences(asked_by(before), declare(asked));
+  std::vector<std::string> out = document_differences(before, now);
   if (before.parameters != now.parameters) {
     out.push_back(fmt::format("the parameters: was {}, now {}", in_words(before.parameters), in_words(now.parameters)));
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plan of a tuning: parameters, opponents, objective, algorithm, budget and test. The plan is fixed before the
-// first match. The plan and the results of matches determine everything else.
+// The plan of a tuning: parameters, opponents, objective, algorithm, budget and test.
 //
 // The program scores pairs of matches. For each opponent, a pair has a match with the tuned team at home, and the same
 // match with the sides swapped. Pairs are numbered from 0 in each of four stages. The stages have disjoint seeds:
@@ -19,7 +18,6 @@
 #include "campaign/engine.hpp"
 #include "campaign/job.hpp"
 #include "campaign/match_inputs.hpp"
-#include "campaign/store.hpp"
 #include "config/errors.hpp"
 #include "config/node.hpp"
 #include "config/overlay.hpp"
@@ -47,7 +45,6 @@ struct TuningObjective {
   friend bool operator==(const TuningObjective&, const TuningObjective&) = default;
 };
 
-// An opponent of the tuned team.
 struct TuningOpponent {
   std::string label, file;
   double weight = 1.0;                // the weights of a plan's opponents sum up to 1
@@ -181,14 +178,11 @@ TuningPlan tuning_plan_from_json(const std::string& text);
 // The differences between the plan of a file and the new plan, in words; empty if the plans are equal.
 std::vector<std::string> differences(const TuningPlan& before, const TuningPlan& now);
 
-// Makes the plan of a document. Finds all mistakes before the first match. plugins: folders of the catalogue. Throws
-// config::BadInput, and config::Error at the place of the mistake.
+// Makes the plan of a document. Finds all mistakes before the first match. plugins: folders of the catalogue. mistakes:
+// gets the mistakes in algorithm, opponents, parameters, openings and objective; with any, the plan is incomplete.
+// Throws config::BadInput, and config::Error at the place of a mistake that leaves nothing else to check.
 TuningPlan planned_tuning(const config::Node& document, const std::vector<std::string>& plugins,
-                          const plugin::Catalogue& catalogue);
-
-// Tests whether a document can be planned: lists all mistakes in algorithm, opponents, parameters, openings, objective.
-void check_tuning(const config::Node& document, const std::vector<std::string>& plugins,
-                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
+                          const plugin::Catalogue& catalogue, config::Mistakes& mistakes);
 
 // Notes on a plan that is unusual but allowed, one line each: for example that an opponent is the base team itself.
 std::vector<std::string> notes_on(const TuningPlan& plan);

@@ -7,13 +7,11 @@
 #include <filesystem>
 #include <utility>
 
-#include "config/documents.hpp"
-#include "config/read.hpp"
 #include "config/scalar.hpp"
-#include "config/values.hpp"
 #include "match/match.hpp"
 #include "plugin/info.hpp"
 #include "study/measure.hpp"
+#include "study/plan_fields.hpp"
 #include "texts/message.hpp"
 
 namespace regista::study {
@@ -29,24 +27,12 @@ std::uint64_t replicates(std::uint64_t search_pairs, std::size_t parameters) {
   return std::max({usual, std::min(fewest_replicates, affordable), std::uint64_t{1}});
 }
 
-class TuningPlanner {
+class TuningPlanner : Planner<TuningPlan> {
  public:
-  TuningPlanner(const config::Node& document, const std::vector<std::string>& plugins,
-                const plugin::Catalogue& catalogue, config::Mistakes& mistakes)
-      : document_(document),
-        catalogue_(catalogue),
-        mistakes_(mistakes),
-        program_(campaign::program_hash()),
-        mathematics_(campaign::mathematics_fingerprint()) {
-    plan_.asked = config::read_document<config::Tuning>(document);
-    config::rename_files(declare(plan_.asked), from_here);
-    plan_.folder = std::filesystem::current_path().string();
-    plan_.plugins = plugins;
-    complete(plan_);
-  }
+  using Planner<TuningPlan>::Planner;
 
-  // Makes the plan of the document. The plan is incomplete if there are mistakes.
   TuningPlan planned() {
+    complete(plan_);
     mistakes_.attempt("search", [&] { require_algorithm(); });
     mistakes_.attempt("set", [&] { require_present_names(plan_.asked.settings.set, "set"); });
     meet_opponents();
@@ -83,7 +69,6 @@ class TuningPlanner {
     }
   }
 
-  // Sets up the matches against an opponent, one on each side.
   void look_at(TuningOpponent& opponent, bool is_base) {
     campaign::MatchSetup prepared =
         find_inputs(opponent.jobs, settings_of(plan_, is_base), catalogue_, program_, mathematics_);
@@ -177,7 +162,6 @@ class TuningPlanner {
     config::refuse(document_, {path}, fmt::format("{}: {}: expected {} or more matches", path, why, least));
   }
 
-  // Refuses a budget that is too small for the first round of the algorithm.
   void count_search() {
     const std::uint64_t pair = plan_.matches_of_pair();
     const config::Tuning::Search& search = plan_.asked.search;
@@ -195,7 +179,6 @@ class TuningPlanner {
                                 search.matches, name(plan_.algorithm()), least, each));
   }
 
-  // Sets the numbers of pairs of selection and verification.
   void count_stages() {
     const std::uint64_t pair = plan_.matches_of_pair();
     plan_.selection_pairs = static_cast<std::uint64_t>(plan_.asked.selection.matches) / (pair * plan_.finalists());
@@ -213,11 +196,6 @@ class TuningPlanner {
     }
   }
 
-  const config::Node& document_;
-  const plugin::Catalogue& catalogue_;
-  config::Mistakes& mistakes_;
-  std::string program_, mathematics_;
-  TuningPlan plan_;
   std::optional<config::Node> team_;  // document of the base team
   std::vector<std::string> metrics_;  // paths of the metrics
   std::vector<match::Setup> setups_;  // by opponent, then the base team
@@ -226,14 +204,8 @@ class TuningPlanner {
 }  // namespace
 
 TuningPlan planned_tuning(const config::Node& document, const std::vector<std::string>& plugins,
-                          const plugin::Catalogue& catalogue) {
-  config::Mistakes first(config::Mistakes::After::stop);
-  return TuningPlanner(document, plugins, catalogue, first).planned();
-}
-
-void check_tuning(const config::Node& document, const std::vector<std::string>& plugins,
-                  const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
-  TuningPlanner(document, plugins, catalogue, mistakes).planned();
+                          const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  return TuningPlanner(document, plugins, catalogue, mistakes).planned();
 }
 
 std::vector<std::string> notes_on(const TuningPlan& plan) {

@@ -10,7 +10,6 @@
 
 #include "campaign/match_inputs.hpp"
 #include "plugin/shared_object.hpp"
-#include "statistics/moments.hpp"
 #include "statistics/paired_tests.hpp"
 
 namespace regista::study {
@@ -18,7 +17,6 @@ namespace {
 
 constexpr int steps = 4000;  // number of steps of the grid of mean differences
 
-// For each candidate, the p-value that `p` returns, adjusted by Holm's method.
 std::vector<double> adjusted(const std::vector<ScoreDifference>& of, double (ScoreDifference::*p)() const) {
   std::vector<double> out;
   for (const ScoreDifference& each : of) out.push_back((each.*p)());
@@ -209,7 +207,8 @@ Slice slice_of(std::size_t parameter, double tuned_value, std::span<const double
   out.parameter = parameter;
   std::vector<std::vector<double>> all{tuned};
   for (std::size_t i = 0; i < values.size(); ++i) {
-    out.points.push_back({values[i], mean_of(scores[i], confidence), difference_of(scores[i], tuned, confidence)});
+    out.points.push_back(
+        {values[i], mean_of(scores[i], confidence), mean_of(paired_differences(scores[i], tuned), confidence)});
     all.push_back(scores[i]);
   }
   out.points.push_back({tuned_value, mean_of(tuned, confidence), {}});

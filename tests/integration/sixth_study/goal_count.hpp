@@ -47,15 +47,16 @@ inline GoalCountPlan goal_count_plan(const std::string& text) {
 }
 
 inline results::PlannedStudy planned_goal_count(const config::Node& document, const std::vector<std::string>& plugins,
-                                                const plugin::Catalogue& catalogue) {
+                                                const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
   GoalCountPlan plan{config::read_document<config::GoalCount>(document), {}};
   config::Tournament schedule;
   schedule.name = plan.asked.name;
   schedule.teams = {{plan.asked.home, "", {}}, {plan.asked.away, "", {}}};
   schedule.pairs = plan.asked.pairs;
   schedule.settings = plan.asked.settings;
-  plan.schedule =
-      planned_tournament(config::parse_text(config::document_text(schedule), "goal_count"), plugins, catalogue).plan;
+  const config::Node document_of_schedule = config::parse_text(config::document_text(schedule), "goal_count");
+  plan.schedule = planned_tournament(document_of_schedule, plugins, catalogue, mistakes).plan;
+  if (!mistakes.none()) return {};
   return {to_json(plan), plan.asked.name};
 }
 

@@ -128,10 +128,11 @@ TEST(Ranking, EncountersHoldEveryMatch) {
     EXPECT_EQ(total(all[0].pairs), 9);
     EXPECT_EQ(total(all[0].games), 1);
     EXPECT_EQ(total(all[1].games), 0);
-    const statistics::SquareTable won = points_won(course.plan, *course.tournament),
-                                  again = statistics::points_won(3, all);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) EXPECT_EQ(again.at(i, j), won.at(i, j));
+    const statistics::SquareTable won = points_won(course.plan, *course.tournament);
+    for (const study::Meeting& each : course.tournament->meetings()) {
+      const auto& [first, second] = each.pairing;
+      EXPECT_EQ(won.at(first, second), points(each.games));
+      EXPECT_EQ(won.at(first, second) + won.at(second, first), static_cast<double>(total(each.games)));
     }
     const auto elo = *statistics::bradley_terry(3, all);
     for (const Ranked& each : ranking(course.plan, *course.tournament)) {

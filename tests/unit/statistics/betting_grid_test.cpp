@@ -30,8 +30,6 @@ TEST(BettingGrid, KnowsNothingBeforeTheFirstValue) {
   const BettingGrid grid({-10, 10, 0.05}, 4000);
   EXPECT_EQ(grid.interval().low, -10.0);
   EXPECT_EQ(grid.interval().high, 10.0);
-  EXPECT_EQ(grid.mean(), 0.0);
-  EXPECT_EQ(grid.values(), 0);
   EXPECT_EQ(grid.finding(0.0), Finding::none);
 }
 
@@ -44,10 +42,8 @@ TEST(BettingGrid, IsTheRunningIntersectionOfTests) {
     BettingGrid grid({-10, 10, 0.05}, steps);
     std::vector<BettingTest> tests;
     for (int i = 1; i < steps; ++i) tests.emplace_back(BettingDesign{-10, 10, 0.05}, -10 + i * step);
-    double sum = 0.0;
     for (int i = 1; i <= 400; ++i) {
       const double value = goals(random, advantage);
-      sum += value;
       grid.add(value);
       Interval exact{-10, 10};
       for (int k = 1; k < steps; ++k) {
@@ -59,8 +55,6 @@ TEST(BettingGrid, IsTheRunningIntersectionOfTests) {
       }
       ASSERT_NEAR(grid.interval().low, exact.low, 1e-12) << i;
       ASSERT_NEAR(grid.interval().high, exact.high, 1e-12) << i;
-      ASSERT_EQ(grid.values(), i);
-      ASSERT_NEAR(grid.mean(), sum / i, 1e-12);
     }
   }
 }
@@ -136,7 +130,6 @@ TEST(BettingGrid, ValuesAtTheEndsOfTheRange) {
     EXPECT_LT(interval.high - interval.low, 0.2);
     EXPECT_GE(interval.low, -10.0);
     EXPECT_LE(interval.high, 10.0);
-    EXPECT_EQ(grid.mean(), value);
     EXPECT_EQ(grid.finding(0.0), value > 0.0 ? Finding::above : Finding::below);
   }
 }

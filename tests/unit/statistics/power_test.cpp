@@ -63,17 +63,17 @@ TEST(Power, NoncentralTHasNoStep) {
 }
 
 TEST(Power, FewestPairsOfSignFlips) {
-  EXPECT_EQ(smallest_pairs(0.05, 1), 6);
-  EXPECT_EQ(smallest_pairs(0.05, 2), 7);
-  EXPECT_EQ(smallest_pairs(0.05, 3), 7);  // 2/128 is below 0.05/3
-  EXPECT_EQ(smallest_pairs(0.05, 10), 9);
-  EXPECT_EQ(smallest_pairs(0.01, 1), 8);
-  EXPECT_EQ(smallest_pairs(0.05, 1, PairedTest::student_t), 2);
+  EXPECT_EQ(smallest_pairs({0.05, 1}), 6);
+  EXPECT_EQ(smallest_pairs({0.05, 2}), 7);
+  EXPECT_EQ(smallest_pairs({0.05, 3}), 7);  // 2/128 is below 0.05/3
+  EXPECT_EQ(smallest_pairs({0.05, 10}), 9);
+  EXPECT_EQ(smallest_pairs({0.01, 1}), 8);
+  EXPECT_EQ(smallest_pairs({0.05, 1, 0.8, PairedTest::student_t}), 2);
   for (std::int64_t pairs = 1; pairs < 12; ++pairs) {
     const std::vector<double> won_all(static_cast<std::size_t>(pairs), 1.5);
     for (const std::int64_t family : {1, 2, 3, 6, 10}) {
       const bool can = sign_flip_p_of_values(won_all) <= 0.05 / static_cast<double>(family);
-      EXPECT_EQ(can, pairs >= smallest_pairs(0.05, family)) << pairs << ' ' << family;
+      EXPECT_EQ(can, pairs >= smallest_pairs({0.05, family})) << pairs << ' ' << family;
     }
   }
 }
@@ -90,7 +90,7 @@ TEST(Power, IsNothingWhereNothingCanBeFound) {
 TEST(Power, BothQuestionsHaveOneAnswer) {
   for (const std::int64_t pairs : {6, 7, 10, 34, 150, 4000}) {
     for (const std::int64_t family : {1, 3}) {
-      if (pairs < smallest_pairs(0.05, family)) continue;
+      if (pairs < smallest_pairs({0.05, family})) continue;
       const PowerDesign design{0.05, family, 0.8, PairedTest::sign_flip};
       const double found = *difference_found(pairs, 2.5, design);
       EXPECT_NEAR(power_of(pairs, found, 2.5, design), 0.8, 1e-6);

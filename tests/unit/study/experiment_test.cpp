@@ -21,14 +21,14 @@ TEST(PairedEstimates, MeanAndIntervalAreThoseOfTheTables) {
   // difference 1.58 hours, t = 4.06, p = 0.0028, 95 % from 0.70 to 2.46.
   const std::vector<double> first{1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6, 3.4};
   const std::vector<double> second{0.7, -1.6, -0.2, -1.2, -0.1, 3.4, 3.7, 0.8, 0.0, 2.0};
-  const MeanEstimate difference = difference_of(first, second, 0.95);
+  const MeanEstimate difference = mean_of(paired_differences(first, second), 0.95);
   EXPECT_EQ(difference.pairs, 10);
   EXPECT_NEAR(difference.mean, 1.58, 1e-12);
   ASSERT_TRUE(difference.interval);
   EXPECT_NEAR(difference.interval->low, 0.7001, 1e-4);
   EXPECT_NEAR(difference.interval->high, 2.4599, 1e-4);
-  EXPECT_NEAR(p_of_difference(first, second, PairTest::paired_t)->p, 0.002833, 1e-6);
-  const MeanEstimate back = difference_of(second, first, 0.95);
+  EXPECT_NEAR(p_of_values(paired_differences(first, second), PairTest::paired_t)->p, 0.002833, 1e-6);
+  const MeanEstimate back = mean_of(paired_differences(second, first), 0.95);
   EXPECT_DOUBLE_EQ(back.mean, -difference.mean);
   EXPECT_DOUBLE_EQ(back.interval->low, -difference.interval->high);
 }
@@ -37,8 +37,8 @@ TEST(PairedEstimates, WhatIsMissingLeavesItsPairOut) {
   const std::vector<double> first{1.0, nothing, 3.0, 8.0}, second{0.5, 4.0, nothing, 5.0};
   EXPECT_EQ(mean_of(first, 0.95).pairs, 3);
   EXPECT_DOUBLE_EQ(mean_of(first, 0.95).mean, 4.0);
-  EXPECT_EQ(difference_of(first, second, 0.95).pairs, 2);
-  EXPECT_DOUBLE_EQ(difference_of(first, second, 0.95).mean, 1.75);
+  EXPECT_EQ(mean_of(paired_differences(first, second), 0.95).pairs, 2);
+  EXPECT_DOUBLE_EQ(mean_of(paired_differences(first, second), 0.95).mean, 1.75);
 }
 
 TEST(PairedEstimates, WithoutSpreadThereIsNoInterval) {
@@ -46,19 +46,19 @@ TEST(PairedEstimates, WithoutSpreadThereIsNoInterval) {
   EXPECT_FALSE(mean_of(std::vector<double>{2.0, 2.0, 2.0}, 0.95).interval);
   EXPECT_EQ(mean_of({}, 0.95).pairs, 0);
   const std::vector<double> one{1.0}, ones{1.0, 1.0}, twos{2.0, 2.0};
-  EXPECT_FALSE(p_of_difference(one, one, PairTest::paired_t));
-  EXPECT_FALSE(difference_of(twos, ones, 0.95).interval);
+  EXPECT_FALSE(p_of_values(paired_differences(one, one), PairTest::paired_t));
+  EXPECT_FALSE(mean_of(paired_differences(twos, ones), 0.95).interval);
 }
 
 // Of N equal differences two of the 2^N assignments of signs have a sum as far from 0.
 TEST(PairedEstimates, WithoutSpreadSignsAreCountedInsteadOfStudentsT) {
   for (const std::size_t pairs : {2u, 8u, 32u, 33u}) {
     const std::vector<double> ones(pairs, 1.0), threes(pairs, 3.0);
-    const auto none = p_of_difference(ones, ones, PairTest::paired_t);
+    const auto none = p_of_values(paired_differences(ones, ones), PairTest::paired_t);
     ASSERT_TRUE(none);
     EXPECT_EQ(none->p, 1.0);
-    const auto t = p_of_difference(threes, ones, PairTest::paired_t);
-    const auto signs = p_of_difference(threes, ones, PairTest::sign_flip);
+    const auto t = p_of_values(paired_differences(threes, ones), PairTest::paired_t);
+    const auto signs = p_of_values(paired_differences(threes, ones), PairTest::sign_flip);
     ASSERT_TRUE(t && signs);
     EXPECT_EQ(t->p, signs->p);
     EXPECT_EQ(t->by, signs->by);

@@ -53,7 +53,7 @@ TEST(ExperimentUnplayed, TheirPairsHaveNoValuesAndAreCounted) {
   EXPECT_EQ(course.unplayed_pairs(0), 1u);
   EXPECT_EQ(course.unplayed_pairs(1), 2u);
   EXPECT_EQ(course.unplayed_pairs(), 3u);
-  EXPECT_EQ(course.remarks().unplayed().count(), 3u);
+  EXPECT_EQ(course.remarks().unplayed.count(), 3u);
   EXPECT_EQ(course.mean(0, 0).pairs, 5);
   EXPECT_EQ(course.mean(1, 0).pairs, 4);
   ASSERT_EQ(all.size(), 1u);
@@ -101,7 +101,7 @@ TEST(ExperimentUnplayed, AFindingHoldsWithTheMostAdverseValuesAndSigns) {
                                 : std::uniform_real_distribution(least, most)(random);
           }
         }
-        const auto p = p_of_difference(filled.first, filled.second, test);
+        const auto p = p_of_values(paired_differences(filled.first, filled.second), test);
         if (way < 2 && p->p > 0.05) stands = false;
         if (finding.found) {
           EXPECT_LE(p->p, 0.05) << seed;
@@ -157,7 +157,7 @@ TEST(ExperimentUnplayed, AMissingPairMayHoldTheLargestDifferenceSeen) {
   std::vector<bool> unplayed(11, false);
   unplayed.back() = true;
   for (const PairTest test : {PairTest::paired_t, PairTest::sign_flip}) {
-    EXPECT_LT(p_of_difference(first, second, test)->p, 0.01);
+    EXPECT_LT(p_of_values(paired_differences(first, second), test)->p, 0.01);
     EXPECT_EQ(p_either_way(difference({first, unplayed}, {second, unplayed}), test), 1.0);
     EXPECT_EQ(p_either_way(difference({second, unplayed}, {first, unplayed}), test), 1.0);
   }
@@ -166,7 +166,7 @@ TEST(ExperimentUnplayed, AMissingPairMayHoldTheLargestDifferenceSeen) {
 TEST(ExperimentUnplayed, ForfeitsAreMissingAsBefore) {
   const std::vector<double> first{5, 6, nothing, 8, 9, 7}, second{1, 2, 3, 2, 1, 2};
   const std::vector<bool> none(6, false);
-  const auto alone = p_of_difference(first, second, PairTest::paired_t);
+  const auto alone = p_of_values(paired_differences(first, second), PairTest::paired_t);
   EXPECT_EQ(p_either_way(difference({first, none}, {second, none}), PairTest::paired_t), alone->p);
   EXPECT_EQ(unplayed_pairs(difference({first, none}, {second, none})), 0u);
 }

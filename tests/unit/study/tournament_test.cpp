@@ -52,7 +52,6 @@ TEST(Tournament, CountsPairsAndNotOnlyGames) {
   // -1, -1/2, 0, 0, 2, 2
   EXPECT_NEAR(meeting.goals_of_pairs.mean(), 2.5 / 6.0, 1e-15);
   EXPECT_NEAR(meeting.goals_of_pairs.variance(), (9.25 - 6.25 / 6.0) / 5.0, 1e-14);
-  EXPECT_EQ(meeting.goals_sequence.values(), 6);
   EXPECT_EQ(course.matches(), 12u);
   EXPECT_EQ(course.taken(), 12u);
   EXPECT_EQ(course.verdict(), Verdict::none);
@@ -278,7 +277,7 @@ TEST(Tournament, AForfeitIsNoLargerADifferenceThanAMatchCanEndWith) {
   EXPECT_EQ(course.meetings().front().goals_of_pairs.mean(), 3.0);
   EXPECT_EQ(course.meetings().front().goals_of_matches.mean(), 3.0);
   EXPECT_EQ(course.meetings().front().goals[0], 20u);
-  EXPECT_EQ(course.meetings().front().goals_sequence.mean(), 3.0);
+  EXPECT_TRUE(course.meetings().front().goals_sequence.interval().contains(3.0));
 }
 
 TEST(Tournament, DrawsAloneGiveNoVerdict) {

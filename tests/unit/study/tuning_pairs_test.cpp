@@ -284,8 +284,8 @@ TEST_F(Scores, AMatchThatCouldNotBePlayedLeavesItsPairMissing) {
     EXPECT_FALSE(own_failed);
     EXPECT_THAT(forfeits->listed(), testing::IsEmpty());
   }
-  EXPECT_EQ(remarks.unplayed().count(), 4u);
-  EXPECT_EQ(remarks.unplayed().listed()[1], (MatchRemark{5, "Aborted"}));
+  EXPECT_EQ(remarks.unplayed.count(), 4u);
+  EXPECT_EQ(remarks.unplayed.listed()[1], (MatchRemark{5, "Aborted"}));
 }
 
 }  // namespace
