@@ -236,8 +236,8 @@ Field list(std::string key, std::vector<T>& members, std::size_t least, std::siz
 }
 
 // A map from names to values. Each element of `members` is one entry: T::name is the name, field_of() gives the value.
-template <class T>
-Field dictionary(std::string key, std::vector<T>& members, Field (*field_of)(T&), std::size_t least, std::size_t most,
+template <class T, class FieldOf>
+Field dictionary(std::string key, std::vector<T>& members, FieldOf field_of, std::size_t least, std::size_t most,
                  std::string doc) {
   return {std::move(key), std::move(doc),
           Dictionary{[&members] { return members.size(); }, [&members] { members.clear(); },
