@@ -14,10 +14,8 @@
 
 #include "cli/command_line.hpp"
 #include "cli/common_options.hpp"
-#include "config/difference.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
-#include "config/reference.hpp"
 #include "config/rules.hpp"
 #include "config/team.hpp"
 #include "config/team_check.hpp"
@@ -248,12 +246,12 @@ std::array<double, 2> place(const std::string& text) {
   return read.point;
 }
 
-const config::RoleList& list_of(const config::TeamDocument& page, const std::string& name) {
-  if (name.empty()) return page.role_lists.front();
-  const auto found = std::ranges::find(page.role_lists, name, &config::RoleList::name);
-  if (found != page.role_lists.end()) return *found;
+const config::RoleList& list_of(const config::Team& team, const std::string& name) {
+  if (name.empty()) return team.role_lists.front();
+  const auto found = std::ranges::find(team.role_lists, name, &config::RoleList::name);
+  if (found != team.role_lists.end()) return *found;
   std::vector<std::string> names;
-  for (const config::RoleList& each : page.role_lists) names.push_back(each.name);
+  for (const config::RoleList& each : team.role_lists) names.push_back(each.name);
   throw BadInput("--list: " + texts::unknown("list of roles", name, "", names));
 }
 
@@ -277,8 +275,8 @@ bool has(const config::RoleList& list, const std::string& role) {
   return std::ranges::find(list.roles, role, &config::Role::name) != list.roles.end();
 }
 
-[[noreturn]] void refuse_role(const config::TeamDocument& page, const config::RoleList& list, const std::string& role) {
-  for (const config::RoleList& other : page.role_lists) {
+[[noreturn]] void refuse_role(const config::Team& team, const config::RoleList& list, const std::string& role) {
+  for (const config::RoleList& other : team.role_lists) {
     if (has(other, role)) {
       throw BadInput(fmt::format("--role: {0} is in the list {1}, not in {2}; add --list {1}", texts::one_line(role),
                                  other.name, list.name));
@@ -289,10 +287,10 @@ bool has(const config::RoleList& list, const std::string& role) {
   throw BadInput("--role: " + texts::unknown("role", role, list.name, names));
 }
 
-std::vector<const config::Role*> roles_of(const config::TeamDocument& page, const config::RoleList& list,
+std::vector<const config::Role*> roles_of(const config::Team& team, const config::RoleList& list,
                                           const std::vector<std::string>& wanted) {
   for (const std::string& each : wanted) {
-    if (!has(list, each)) refuse_role(page, list, each);
+    if (!has(list, each)) refuse_role(team, list, each);
   }
   std::vector<const config::Role*> out;
   for (const config::Role& each : list.roles) {
@@ -308,12 +306,13 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");
   const config::Node document = config::load(file, config::typed_overrides(options.overrides));
   config::require_kind(document, config::DocumentKind::team);
-  const config::TeamDocument page = config::read_team_document(document);
+  config::Mistakes first(config::Mistakes::After::stop);
+  const config::Team team = config::read_team_document(document, first).team;
   const config::Rules rules =
       options.rules.empty() ? config::Rules{} : config::read_document<config::Rules>(options.rules);
   const config::RoleList list =
-      options.context.empty() ? list_of(page, options.list) : list_in(document, options.context);
-  const std::vector<const config::Role*> roles = roles_of(page, list, options.roles);
+      options.context.empty() ? list_of(team, options.list) : list_in(document, options.context);
+  const std::vector<const config::Role*> roles = roles_of(team, list, options.roles);
   const std::string shown = options.context.empty() ? "the list " + list.name : "the context " + options.context;
   std::vector<std::array<double, 2>> balls;
   const config::Carpet field_margin(rules.field);
@@ -323,7 +322,7 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   }
   if (balls.empty() && !options.no_ball) balls.push_back({0.0, 0.0});
   outputs.check(options.force);
-  const std::string picture = recording::roles_svg({page.name, shown, roles, balls}, rules.field);
+  const std::string picture = recording::roles_svg({team.name, shown, roles, balls}, rules.field);
   if (options.output == "-") {
     output::print(picture);
     return exit_done;

@@ -110,7 +110,7 @@ static Map declare(Experiment::Sweep& sweep) {
           &sweep.where};
 }
 
-static Map declare(Experiment::Primary& primary) {
+static Map declare(ExperimentPrimary& primary) {
   return {{
               required(line("measure", primary.measure, "number of a match that the test is about")),
               pairs("compare", primary.compare, "arms, two by two; without it every two of them"),

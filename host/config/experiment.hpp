@@ -43,8 +43,6 @@ struct Experiment {
     Location where;
   };
 
-  using Primary = ExperimentPrimary;
-
   std::string name, question;
   std::vector<Arm> arms;
   std::string team, opponent;     // files; `team` is the team of all arms that name no team
@@ -54,7 +52,7 @@ struct Experiment {
   std::string disturbance, opponent_disturbance;  // files for the arm's team and for the opponent; empty: none
   std::optional<Sweep> sweep;
   std::vector<Node> measures;  // paths of numbers in the result of a match; empty: the default measures
-  std::optional<Primary> primary;
+  std::optional<ExperimentPrimary> primary;
   double confidence = 0.95;
   MatchSettings settings;
 };

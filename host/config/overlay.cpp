@@ -310,8 +310,6 @@ Node value_at(const Node& document, std::string_view path) {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 // Returns whether a user who wrote `asked` may have meant the file `there`. Ignores the endings of the file names.
 bool alike(const fs::path& asked, const fs::path& there) {
   const std::string stem = asked.stem().string(), other = there.stem().string();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "config/tournament.hpp"
 
-#include "config/overlay.hpp"
 #include "config/read.hpp"
 
 namespace regista::config {

@@ -35,14 +35,13 @@ struct Tournament {
   // round_robin: all teams meet. gauntlet: each team meets the first team. swiss: in each round, each team meets a team
   // with about as many points. knock_out: the loser of a meeting leaves.
   enum class Format { round_robin, gauntlet, swiss, knock_out };
-  using Test = TournamentTest;
 
   std::string name, question;
   std::vector<Team> teams;
   Format format = Format::round_robin;
   std::optional<int> rounds;  // of a Swiss tournament; missing: as many as a knock-out of these teams has
   std::optional<int> pairs;   // pairs of matches for each pairing; with a test: the largest number of pairs
-  std::optional<Test> test;
+  std::optional<TournamentTest> test;
   std::int64_t seed = 1;       // seed of the pairs; see MatchSettings::seeds
   std::string disturbance;     // file for all teams; empty: no disturbance
   int failures_in_a_row = 10;  // this many forfeits in a row by the same plugin exclude a team; 0: no exclusion

@@ -207,7 +207,7 @@ TEST(Profiles, OverridesAreCheckedLikeFiles) {
   EXPECT_EQ(error_of([&] { read_document<Rules>(file, {"messages.bugdet=5"}); }),
             "--set messages.bugdet=5: unknown key \"bugdet\" in messages; nearest: \"budget\"; known: budget, "
             "size, short_games");
-  EXPECT_EQ(check(file), DocumentKind::rules);
+  EXPECT_EQ(kind_of(load(file)), DocumentKind::rules);
 }
 
 }  // namespace
