@@ -50,7 +50,7 @@ std::string unknown(const std::string& id, int kind, const std::vector<std::stri
 }
 
 std::string kinds_in_words(const Found& plugin) {
-  std::vector<std::string_view> out;
+  std::vector<std::string> out;
   for (const int kind : plugin.description->kinds()) {
     if (kind != REGISTA_KIND_MAILBOX) out.push_back(kind_with_article(kind));
   }

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "config/scalar.hpp"
 #include "plugin/shared_object.hpp"
 #include "texts/message.hpp"
 
@@ -55,9 +56,6 @@ constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
 
 constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{
     "", "predictor", "context", "positioner", "utility", "assigner", "sender", "mailbox", "behaviour"};
-constexpr std::array<std::string_view, REGISTA_KIND_END> kinds_with_article{
-    "", "a predictor", "a context", "a positioner", "a utility", "an assigner", "a sender", "a mailbox", "a behaviour"};
-constexpr std::array<std::string_view, 7> type_names{"", "real", "integer", "boolean", "choice", "text", "file"};
 
 bool lower_snake_case(std::string_view name) {
   if (name.empty() || name.front() < 'a' || name.front() > 'z') return false;
@@ -313,14 +311,9 @@ bool implements(const regista_descriptor& descriptor, int kind) { return descrip
 
 std::string_view kind_name(int kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
-std::string_view kind_with_article(int kind) { return kinds_with_article.at(static_cast<std::size_t>(kind)); }
+std::string kind_with_article(int kind) { return texts::with_article(kind_name(kind)); }
 
-std::string_view type_name(std::int32_t type) { return type_names.at(static_cast<std::size_t>(type)); }
-
-std::string range_text(const regista_parameter& p) {
-  const std::string unit = p.unit;
-  return fmt::format("{} to {}{}", p.minimum, p.maximum, unit.empty() || unit == "1" ? "" : " " + unit);
-}
+std::string range_text(const regista_parameter& p) { return config::range_text({p.minimum, p.maximum}, p.unit); }
 
 std::string subject_names(std::uint32_t subjects) {
   constexpr std::array<std::string_view, 4> names{"self", "ball", "opponents", "teammates"};
@@ -334,16 +327,6 @@ std::string subject_names(std::uint32_t subjects) {
 std::string_view combine_name(std::int32_t combine) {
   constexpr std::array<std::string_view, 6> names{"", "sum", "mean", "least", "greatest", "mean over time"};
   return names.at(static_cast<std::size_t>(combine));
-}
-
-std::vector<DeclaredMetric> declared_metrics(const regista_descriptor& d) {
-  std::vector<DeclaredMetric> out;
-  const regista_metrics* const metrics = metrics_of(d);
-  for (std::uint32_t i = 0; metrics != nullptr && i < metrics->count; ++i) {
-    const regista_metric& each = element(metrics->metrics, metrics->stride, i);
-    out.push_back({each.name, each.unit, each.doc, each.combine});
-  }
-  return out;
 }
 
 const char* Description::keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
@@ -370,7 +353,11 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   if (const auto* sender = table<regista_sender>(live, REGISTA_KIND_SENDER)) {
     reasons_.assign(sender->reasons, sender->reasons + sender->reason_count);
   }
-  metrics_ = declared_metrics(live);
+  const regista_metrics* const metrics = metrics_of(live);
+  for (std::uint32_t i = 0; metrics != nullptr && i < metrics->count; ++i) {
+    const regista_metric& each = element(metrics->metrics, metrics->stride, i);
+    metrics_.push_back({each.name, each.unit, each.doc, each.combine});
+  }
   declared_.table = nullptr;
   declared_.create = nullptr;
   declared_.reset = nullptr;

@@ -29,9 +29,6 @@ struct DeclaredMetric {
 // Returns the name of a REGISTA_METRIC_* value: "sum", "mean", "least", "greatest" or "mean over time".
 std::string_view combine_name(std::int32_t combine);
 
-// Returns the metrics of a plugin. Precondition: what_is_wrong() has accepted the descriptor.
-std::vector<DeclaredMetric> declared_metrics(const regista_descriptor& descriptor);
-
 template <class Archive>
 void visit(Archive& archive, DeclaredMetric& metric) {
   archive(metric.name, metric.unit, metric.doc, metric.combine);
@@ -58,10 +55,7 @@ const Table* table(const regista_descriptor& descriptor, int kind) {
 
 // Returns the name of a kind, such as "predictor". kind_with_article() adds the article, as in "an assigner".
 std::string_view kind_name(int kind);
-std::string_view kind_with_article(int kind);
-
-// Returns the name of a REGISTA_TYPE_* value, such as "real".
-std::string_view type_name(std::int32_t type);
+std::string kind_with_article(int kind);
 
 // Returns the closed range of a real or integer parameter, such as "0.5 to 20 m".
 std::string range_text(const regista_parameter& parameter);

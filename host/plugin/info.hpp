@@ -14,14 +14,6 @@
 
 namespace regista::plugin {
 
-// A parameter as text. Each number has the shortest form that reads as exactly this number.
-struct ParameterInfo {
-  std::string name, type, unit, doc;
-  std::string initial;  // default value; texts are in quotes; empty for a file, which has no default
-  std::string range;    // "0.5 to 20 m", or the choices "first, best"; empty for other types
-  bool tunable = false, log_scale = false;
-};
-
 struct Info {
   std::string id, version, summary, licence, build_tag;
   std::string abi;  // version of the ABI, such as "1.0"
@@ -29,11 +21,16 @@ struct Info {
   std::vector<std::string> kinds;  // names of the kinds, such as "assigner"
   std::string subjects;            // subjects of a predictor: "ball, opponents"
   bool negotiates = false;         // true: an assigner whose robots negotiate
-  std::vector<ParameterInfo> parameters;
+  std::vector<config::PluginParameter> parameters;
   std::vector<DeclaredMetric> metrics;
 };
 
 Info info(const Found& plugin);
+
+std::string_view type_name(config::PluginParameter::Type type);  // "real"
+
+// Returns the default value; a text is in quotes. Empty for a file, which has no default.
+std::string default_text(const config::PluginParameter& parameter);
 
 // Returns how the values of a metric are combined, and the unit of the metric: "sum, s".
 std::string how_told(const DeclaredMetric& metric);

@@ -14,6 +14,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include <regista/abi.h>
 
@@ -213,6 +214,18 @@ class alignas(64) Instance {
   regista_environment environment_;
   std::array<char, 64> noted_id_;
   std::unique_ptr<AnswerBuffers> own_rooms_;  // buffers of this instance; null if the caller has buffers
+};
+
+// The base of the calls of one kind: an instance and its call table. The constructor throws Failure for a plugin of
+// another kind.
+template <class Table, int kind>
+class CallsOfKind {
+ protected:
+  explicit CallsOfKind(std::shared_ptr<Instance> instance)
+      : instance_(std::move(instance)), calls_(&instance_->table<Table>(kind)) {}
+
+  std::shared_ptr<Instance> instance_;
+  const Table* calls_;
 };
 
 }  // namespace regista::plugin

@@ -17,11 +17,6 @@ namespace {
 
 constexpr double rounding = 1e-9;  // rounding errors, in m and m^2
 
-void check_count(const Instance& instance, std::uint32_t count, std::uint32_t capacity, const char* what) {
-  if (count > capacity) [[unlikely]]
-    instance.fail("place", "wrote {} {} into room for {}", count, what, capacity);
-}
-
 // Largest utility; it keeps sums of weighted terms finite.
 constexpr double largest = 1e12;
 
@@ -61,9 +56,6 @@ constexpr std::uint32_t longest_description = 256;  // bytes, with the zero at t
 
 }  // namespace
 
-Context::Context(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_context>(REGISTA_KIND_CONTEXT)) {}
-
 bool Context::holds(const regista_frame& frame) {
   GuardedValue<std::int32_t>& answer = instance_->rooms().holds;
   *instance_->open(answer) = 0;
@@ -76,9 +68,6 @@ bool Context::holds(const regista_frame& frame) {
   instance_->answered(out);
   return out == 1;
 }
-
-Positioner::Positioner(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_positioner>(REGISTA_KIND_POSITIONER)) {}
 
 void Positioner::place(const regista_frame& frame, Placement& out) {
   AnswerBuffers& rooms = instance_->rooms();
@@ -100,19 +89,19 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
                    Instance::Written{rooms.cells, "cells"}, Instance::Written{rooms.vertices, "vertices"});
 
   // Reads only the counts of the struct, because the plugin may have overwritten the pointers.
-  check_count(*instance_, raw.points.count, point_capacity, "points");
-  check_count(*instance_, raw.edges.count, edge_capacity, "edges");
-  check_count(*instance_, raw.cells.count, cell_capacity, "cells");
-  check_count(*instance_, raw.vertices.count, vertex_capacity, "vertices");
-  const auto points = rooms.points.first(raw.points.count);
-  const auto edges = rooms.edges.first(raw.edges.count);
-  const auto cells = rooms.cells.first(raw.cells.count);
-  const auto vertices = rooms.vertices.first(raw.vertices.count);
+  const auto written = [this](const auto& guarded, std::uint32_t count, const char* what) {
+    if (count > guarded.size()) [[unlikely]]
+      instance_->fail("place", "wrote {} {} into room for {}", count, what, guarded.size());
+    return guarded.first(count);
+  };
+  const auto points = written(rooms.points, raw.points.count, "points");
+  const auto edges = written(rooms.edges, raw.edges.count, "edges");
+  const auto cells = written(rooms.cells, raw.cells.count, "cells");
+  const auto vertices = written(rooms.vertices, raw.vertices.count, "vertices");
   check_points(frame, points);
   check_edges(edges, points.size());
   check_cells(cells, vertices);
-  instance_->answered(std::span<const regista_waypoint>(points), std::span<const regista_edge>(edges),
-                      std::span<const regista_cell>(cells), std::span<const regista_vertex>(vertices));
+  instance_->answered(points, edges, cells, vertices);
   const auto take = [](auto& to, const auto& from, std::uint32_t capacity) {
     to.reserve(capacity);  // allocates at the first call, so that later calls allocate nothing
     to.assign(from.begin(), from.end());
@@ -185,8 +174,7 @@ void Positioner::check_cells(std::span<const regista_cell> cells, std::span<cons
   }
 }
 
-Utility::Utility(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {
+Utility::Utility(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   // Opens the largest buffer that a call may need, so that no call allocates.
   const regista_environment& environment = instance_->environment();
   instance_->rooms().utilities.open(std::size_t{environment.team_size} * environment.roles.count);
@@ -214,8 +202,7 @@ std::span<const double> Utility::score(const regista_frame& frame, std::size_t r
   return answer;
 }
 
-Assigner::Assigner(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)) {
+Assigner::Assigner(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   row_of_column_.reserve(instance_->environment().roles.count);
   instance_->rooms().columns.open(instance_->environment().team_size);
 }
@@ -249,9 +236,6 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
   }
   instance_->answered(std::span<const std::int32_t>(out));
 }
-
-Behaviour::Behaviour(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_behaviour>(REGISTA_KIND_BEHAVIOUR)) {}
 
 const regista_action& Behaviour::act(const regista_frame& frame, const regista_body& body) {
   GuardedValue<regista_action>& answer = instance_->rooms().action;
@@ -337,8 +321,7 @@ void Behaviour::check_kick(const regista_action& action) const {
 
 constexpr std::size_t most_at_first = 64;  // number of offers for which the first buffer has room
 
-Sender::Sender(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {
+Sender::Sender(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   instance_->rooms().granted.open(most_at_first);
 }
 
@@ -389,12 +372,8 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
 
 std::optional<Mailbox> Mailbox::of(std::shared_ptr<Instance> instance) {
   if (!instance->implements(REGISTA_KIND_MAILBOX)) return std::nullopt;
-  const regista_mailbox& calls = instance->table<regista_mailbox>(REGISTA_KIND_MAILBOX);
-  return Mailbox(std::move(instance), &calls);
+  return Mailbox(std::move(instance));
 }
-
-Mailbox::Mailbox(std::shared_ptr<Instance> instance, const regista_mailbox* calls)
-    : instance_(std::move(instance)), calls_(calls) {}
 
 void Mailbox::transmitted(std::uint64_t handle) { instance_->call("transmitted", calls_->transmitted, handle); }
 

@@ -52,8 +52,7 @@ std::size_t usual_tracks(std::uint32_t subject, std::size_t team_size) {
 
 }  // namespace
 
-Predictor::Predictor(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
+Predictor::Predictor(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   const std::uint32_t subject = instance_->environment().subject;
   tracks_.reserve(usual_tracks(subject, instance_->environment().team_size));
   instance_->rooms().tracks.open(track_capacity);

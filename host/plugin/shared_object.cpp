@@ -2,7 +2,6 @@
 #include "plugin/shared_object.hpp"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gelf.h>
 #include <libelf.h>
@@ -93,18 +92,18 @@ std::string variable_of_all_files(Elf* elf) {
 
 // Returns why the file cannot be a plugin; empty if the file may be a plugin. Does not run the file.
 std::string why_no_plugin(const std::filesystem::path& path) {
-  const OpenFile file(path);
+  const process::FileDescriptor file = open_file(path);
   const int code = errno;
-  if (file.number() < 0) {
+  if (!file.is_open()) {
     return code == ENOENT ? "does not exist" : fmt::format("cannot be read: {}", system_message(code));
   }
   struct stat about {};
-  if (::fstat(file.number(), &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
+  if (::fstat(file.number, &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
   if (S_ISDIR(about.st_mode)) return "is a folder, not a shared object";
   if (!S_ISREG(about.st_mode)) return "is not a regular file";
   if (about.st_size == 0) return "is empty";
   if (elf_version(EV_CURRENT) == EV_NONE) return "cannot be checked: libelf is too old";
-  const ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  const ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr));
   GElf_Ehdr header;
   if (elf == nullptr || elf_kind(elf.get()) != ELF_K_ELF) return "is not a shared object";
   if (gelf_getehdr(elf.get(), &header) == nullptr) return truncated;
