@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "command/options_declared.hpp"
-#include "output/file_use.hpp"
+#include "output/output_files.hpp"
 
 namespace CLI {
 class App;
