@@ -18,7 +18,6 @@
 #include "config/opening.hpp"
 #include "config/overlay.hpp"
 #include "config/predictor_study.hpp"
-#include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"

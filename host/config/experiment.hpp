@@ -58,8 +58,6 @@ struct Experiment {
 };
 
 Map declare(Experiment& experiment);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const Experiment& experiment, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -28,8 +28,7 @@ struct Override {
   Override(const char* typed) : Override(std::string(typed)) {}
 };
 
-// Overrides in the order in which they are laid over a document.
-using Overrides = std::vector<Override>;
+using Overrides = std::vector<Override>;  // in the order in which they are laid over a document
 
 Overrides typed_overrides(const std::vector<std::string>& texts);
 std::string to_string(const Override& override);  // "path=value"

@@ -49,8 +49,6 @@ struct Tournament {
 };
 
 Map declare(Tournament& tournament);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const Tournament& tournament, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

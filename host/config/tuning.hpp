@@ -83,8 +83,6 @@ struct Tuning {
 };
 
 Map declare(Tuning& tuning);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const Tuning& tuning, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

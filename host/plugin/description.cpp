@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
@@ -113,16 +114,21 @@ std::string wrong_with_choice(const regista_parameter& p) {
   return {};
 }
 
-std::string wrong_with_unit_and_doc(const char* unit, const char* doc) {
-  if (unit == nullptr) return "unit is null";
-  if (doc == nullptr) return "doc is null";
-  if (const std::string wrong = wrong_with_text(unit); !wrong.empty()) return "unit " + wrong;
-  if (const std::string wrong = wrong_with_text(doc); !wrong.empty()) return "doc " + wrong;
+struct Text {
+  const char *name, *value;
+};
+std::string wrong_with_texts(std::initializer_list<Text> texts) {
+  for (const Text& each : texts) {
+    if (each.value == nullptr) return fmt::format("{} is null", each.name);
+    if (const std::string wrong = wrong_with_text(each.value); !wrong.empty()) {
+      return fmt::format("{} {}", each.name, wrong);
+    }
+  }
   return {};
 }
 
 std::string wrong_with(const regista_parameter& p) {
-  if (const std::string wrong = wrong_with_unit_and_doc(p.unit, p.doc); !wrong.empty()) return wrong;
+  if (const std::string wrong = wrong_with_texts({{"unit", p.unit}, {"doc", p.doc}}); !wrong.empty()) return wrong;
   if (is_number(p.type)) return wrong_with_number(p);
   switch (p.type) {
     case REGISTA_TYPE_BOOLEAN:
@@ -140,7 +146,7 @@ std::string wrong_with(const regista_parameter& p) {
 }
 
 std::string wrong_with(const regista_metric& m) {
-  if (const std::string wrong = wrong_with_unit_and_doc(m.unit, m.doc); !wrong.empty()) return wrong;
+  if (const std::string wrong = wrong_with_texts({{"unit", m.unit}, {"doc", m.doc}}); !wrong.empty()) return wrong;
   if (m.combine >= REGISTA_METRIC_SUM && m.combine <= REGISTA_METRIC_OVER_TIME) return {};
   return fmt::format("there is no way {} to combine reports", m.combine);
 }
@@ -284,15 +290,10 @@ std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
   if (d.id == nullptr) return fmt::format("descriptor {}: id is null", index);
   const auto wrong = [&d](std::string_view what) { return fmt::format("plugin {}: {}", texts::in_quotes(d.id), what); };
   if (const std::string what = wrong_with_name(d.id); !what.empty()) return wrong("id " + what);
-  struct Text {
-    const char *name, *value;
-  };
-  for (const Text& text :
-       {Text{"version", d.version}, {"summary", d.summary}, {"licence", d.licence}, {"build tag", d.build_tag}}) {
-    if (text.value == nullptr) return wrong(fmt::format("{} is null", text.name));
-    if (const std::string what = wrong_with_text(text.value); !what.empty()) {
-      return wrong(fmt::format("{} {}", text.name, what));
-    }
+  if (const std::string what = wrong_with_texts(
+          {{"version", d.version}, {"summary", d.summary}, {"licence", d.licence}, {"build tag", d.build_tag}});
+      !what.empty()) {
+    return wrong(what);
   }
   if (d.table == nullptr || d.create == nullptr || d.reset == nullptr || d.destroy == nullptr) {
     return wrong("lacks one of table, create, reset, destroy");
@@ -307,11 +308,7 @@ const regista_parameter& parameter(const regista_descriptor& descriptor, std::ui
   return element(descriptor.parameters, descriptor.parameter_stride, index);
 }
 
-bool implements(const regista_descriptor& descriptor, int kind) { return descriptor.table(kind) != nullptr; }
-
 std::string_view kind_name(int kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
-
-std::string kind_with_article(int kind) { return texts::with_article(kind_name(kind)); }
 
 std::string range_text(const regista_parameter& p) { return config::range_text({p.minimum, p.maximum}, p.unit); }
 
@@ -345,7 +342,7 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   declared_.parameters = parameters_.data();
   declared_.parameter_stride = sizeof(regista_parameter);
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
-    if (plugin::implements(live, kind)) kinds_ |= 1u << kind;
+    if (live.table(kind) != nullptr) kinds_ |= 1u << kind;
   }
   if (const auto* predictor = table<regista_predictor>(live, REGISTA_KIND_PREDICTOR)) subjects_ = predictor->subjects;
   if (const auto* assigner = table<regista_assigner>(live, REGISTA_KIND_ASSIGNER)) assigner_flags_ = assigner->flags;

@@ -44,18 +44,14 @@ std::string wrong_with_name(std::string_view name);
 // Returns parameter number `index`, which must be less than descriptor.parameter_count.
 const regista_parameter& parameter(const regista_descriptor& descriptor, std::uint32_t index);
 
-// Returns whether the plugin has a call table for this kind.
-bool implements(const regista_descriptor& descriptor, int kind);
-
 // Returns the call table of this kind, or null. `Table` is the struct of <regista/abi.h> for this kind.
 template <class Table>
 const Table* table(const regista_descriptor& descriptor, int kind) {
   return static_cast<const Table*>(descriptor.table(kind));
 }
 
-// Returns the name of a kind, such as "predictor". kind_with_article() adds the article, as in "an assigner".
+// Returns the name of a kind, such as "predictor".
 std::string_view kind_name(int kind);
-std::string kind_with_article(int kind);
 
 // Returns the closed range of a real or integer parameter, such as "0.5 to 20 m".
 std::string range_text(const regista_parameter& parameter);
@@ -124,7 +120,6 @@ struct Refused {
   std::string reason;  // one line
 };
 
-// "file: reason"
-std::string to_string(const Refused&);
+std::string to_string(const Refused&);  // "file: reason"
 
 }  // namespace regista::plugin

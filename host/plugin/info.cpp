@@ -77,20 +77,21 @@ std::string row(const PluginParameter& p) {
 }
 
 std::string section(const Found& plugin) {
-  const Info about = info(plugin);
-  std::string out = fmt::format("\n### {}\n\n{}.", about.id, as_paragraph(about.summary));
-  if (!about.subjects.empty()) out += fmt::format(" Models: {}.", about.subjects);
-  if (about.negotiates) out += " Robots may show the same task while they have not agreed yet.";
-  out += fmt::format(" Licence: {}.\n", as_text(about.licence));
-  if (about.parameters.empty()) {
+  const regista_descriptor& d = *plugin.descriptor;
+  const std::string subjects = subject_names(plugin.description->subjects());
+  std::string out = fmt::format("\n### {}\n\n{}.", d.id, as_paragraph(d.summary));
+  if (!subjects.empty()) out += fmt::format(" Models: {}.", subjects);
+  if (negotiates(plugin)) out += " Robots may show the same task while they have not agreed yet.";
+  out += fmt::format(" Licence: {}.\n", as_text(d.licence));
+  if (d.parameter_count == 0) {
     out += "\nNo parameters.\n";
   } else {
     out += "\n| parameter | range | default | tunable | meaning |\n|---|---|---|---|---|\n";
-    for (const PluginParameter& p : about.parameters) out += row(p);
+    for (const PluginParameter& p : parameters(plugin)) out += row(p);
   }
-  if (about.metrics.empty()) return out;
+  if (plugin.description->metrics().empty()) return out;
   out += "\n| metric | number of a match | meaning |\n|---|---|---|\n";
-  for (const DeclaredMetric& each : about.metrics) {
+  for (const DeclaredMetric& each : plugin.description->metrics()) {
     out += fmt::format("| `{}` | {} | {} |\n", each.name, as_text(how_told(each)), as_text(each.doc));
   }
   return out;
@@ -115,38 +116,33 @@ std::string how_told(const DeclaredMetric& metric) {
   return fmt::format("{}{}", combine_name(metric.combine), plain ? "" : ", " + metric.unit);
 }
 
-Info info(const Found& plugin) {
-  const regista_descriptor& d = *plugin.descriptor;
-  Info out;
-  out.id = d.id;
-  out.version = d.version;
-  out.summary = d.summary;
-  out.licence = d.licence;
-  out.build_tag = d.build_tag;
-  out.abi = fmt::format("{}.{}", d.abi_major, d.abi_minor);
-  out.file = plugin.file.string();
-  for (const int kind : plugin.description->kinds()) out.kinds.emplace_back(kind_name(kind));
-  out.subjects = subject_names(plugin.description->subjects());
-  out.negotiates = (plugin.description->assigner_flags() & REGISTA_ASSIGNER_NEGOTIATES) != 0;
-  for (std::uint32_t i = 0; i < d.parameter_count; ++i) out.parameters.push_back(declaration(parameter(d, i)));
-  out.metrics = plugin.description->metrics();
+bool negotiates(const Found& plugin) {
+  return (plugin.description->assigner_flags() & REGISTA_ASSIGNER_NEGOTIATES) != 0;
+}
+
+std::vector<PluginParameter> parameters(const Found& plugin) {
+  std::vector<PluginParameter> out;
+  for (std::uint32_t i = 0; i < plugin.descriptor->parameter_count; ++i) {
+    out.push_back(declaration(parameter(*plugin.descriptor, i)));
+  }
   return out;
 }
 
 std::string info_text(const Found& plugin) {
-  const Info about = info(plugin);
-  std::string out = fmt::format("{} {}: {}\n", about.id, about.version, about.summary);
-  out += fmt::format("kind:      {}\n", fmt::join(about.kinds, ", "));
-  if (!about.subjects.empty()) out += fmt::format("models:    {}\n", about.subjects);
-  if (about.negotiates) out += "robots may show the same task while they have not agreed yet\n";
-  out += fmt::format("file:      {}\n", about.file);
-  out += fmt::format("build:     {}\n", about.build_tag);
-  out += fmt::format("interface: {}\n", about.abi);
-  out += fmt::format("licence:   {}\n", about.licence);
-  out += about.parameters.empty() ? "parameters: none\n" : "parameters:\n";
-  for (const PluginParameter& p : about.parameters) out += line(p);
-  if (!about.metrics.empty()) out += "metrics:\n";
-  for (const DeclaredMetric& each : about.metrics) {
+  const regista_descriptor& d = *plugin.descriptor;
+  const std::string subjects = subject_names(plugin.description->subjects());
+  std::string out = fmt::format("{} {}: {}\n", d.id, d.version, d.summary);
+  out += fmt::format("kind:      {}\n", fmt::join(texts::names_of(plugin.description->kinds(), kind_name), ", "));
+  if (!subjects.empty()) out += fmt::format("models:    {}\n", subjects);
+  if (negotiates(plugin)) out += "robots may show the same task while they have not agreed yet\n";
+  out += fmt::format("file:      {}\n", plugin.file.string());
+  out += fmt::format("build:     {}\n", d.build_tag);
+  out += fmt::format("interface: {}.{}\n", d.abi_major, d.abi_minor);
+  out += fmt::format("licence:   {}\n", d.licence);
+  out += d.parameter_count == 0 ? "parameters: none\n" : "parameters:\n";
+  for (const PluginParameter& p : parameters(plugin)) out += line(p);
+  if (!plugin.description->metrics().empty()) out += "metrics:\n";
+  for (const DeclaredMetric& each : plugin.description->metrics()) {
     out += fmt::format("  {}: {}\n      {}\n", each.name, how_told(each), each.doc);
   }
   return out;
@@ -226,13 +222,13 @@ std::string reference_text(const Catalogue& catalogue) {
 std::vector<config::PluginDeclaration> declarations(std::span<const Found> plugins) {
   std::vector<config::PluginDeclaration> out;
   for (const Found& plugin : plugins) {
-    const Info about = info(plugin);
+    const regista_descriptor& d = *plugin.descriptor;
     for (const int kind : plugin.description->kinds()) {
       const auto same = [&](const config::PluginDeclaration& other) {
-        return other.id == about.id && other.kind == kind_name(kind);
+        return other.id == d.id && other.kind == kind_name(kind);
       };
       if (kind == REGISTA_KIND_MAILBOX || std::ranges::any_of(out, same)) continue;
-      out.push_back({about.id, std::string(kind_name(kind)), about.summary, about.parameters});
+      out.push_back({d.id, std::string(kind_name(kind)), d.summary, parameters(plugin)});
     }
   }
   return out;

@@ -14,18 +14,10 @@
 
 namespace regista::plugin {
 
-struct Info {
-  std::string id, version, summary, licence, build_tag;
-  std::string abi;  // version of the ABI, such as "1.0"
-  std::string file;
-  std::vector<std::string> kinds;  // names of the kinds, such as "assigner"
-  std::string subjects;            // subjects of a predictor: "ball, opponents"
-  bool negotiates = false;         // true: an assigner whose robots negotiate
-  std::vector<config::PluginParameter> parameters;
-  std::vector<DeclaredMetric> metrics;
-};
+bool negotiates(const Found& plugin);  // whether the plugin is an assigner whose robots negotiate
 
-Info info(const Found& plugin);
+// Returns the parameters of a plugin in the form of the configuration.
+std::vector<config::PluginParameter> parameters(const Found& plugin);
 
 std::string_view type_name(config::PluginParameter::Type type);  // "real"
 

@@ -170,6 +170,6 @@ void Instance::threw(const char* name) const {
   }
 }
 
-void Instance::has_no_table(int kind) const { fail("table", "is not {}", kind_with_article(kind)); }
+void Instance::has_no_table(int kind) const { fail("table", "is not {}", texts::with_article(kind_name(kind))); }
 
 }  // namespace regista::plugin

@@ -74,17 +74,11 @@ class alignas(64) Instance {
 
   // Returns a buffer for the answer to the next call.
   template <class T>
-  T* open(GuardedBuffer<T>& room, std::size_t count) const {
+  T* open(GuardedBuffer<T>& room, std::size_t count = 1) const {
     T* const out = room.open(count);
     if (buffers_->strict) [[unlikely]]
       room.mend();  // repairs damage by an earlier call, so that the host does not blame this call
     return out;
-  }
-  template <class T>
-  T* open(GuardedValue<T>& room) const {
-    if (buffers_->strict) [[unlikely]]
-      room.mend();
-    return room.data();
   }
 
   // A buffer to which a call wrote, and the name of its content, such as "points".
@@ -139,7 +133,7 @@ class alignas(64) Instance {
  private:
   template <std::size_t Size, class Function, class... Arguments>
   void invoke(const char (&name)[Size], Function function, Arguments... arguments) {
-    GuardedValue<regista_error>& error = buffers_->error;
+    GuardedBuffer<regista_error>& error = buffers_->error;
     error.data()->text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
     begin(name);

@@ -57,7 +57,7 @@ constexpr std::uint32_t longest_description = 256;  // bytes, with the zero at t
 }  // namespace
 
 bool Context::holds(const regista_frame& frame) {
-  GuardedValue<std::int32_t>& answer = instance_->rooms().holds;
+  GuardedBuffer<std::int32_t>& answer = instance_->rooms().holds;
   *instance_->open(answer) = 0;
   instance_->call_with([](Inputs& inputs, const regista_frame* seen, auto*) { inputs.add("frame", seen); }, "holds",
                        calls_->holds, instance_->shown(&frame), answer.data());
@@ -238,7 +238,7 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
 }
 
 const regista_action& Behaviour::act(const regista_frame& frame, const regista_body& body) {
-  GuardedValue<regista_action>& answer = instance_->rooms().action;
+  GuardedBuffer<regista_action>& answer = instance_->rooms().action;
   regista_action& out = *instance_->open(answer);
   out = {};
   out.size = sizeof out;
@@ -327,7 +327,7 @@ Sender::Sender(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(insta
 
 SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_event> events,
                             std::span<const regista_offer> offers, const regista_budget& budget) {
-  GuardedValue<regista_send>& answer = instance_->rooms().send;
+  GuardedBuffer<regista_send>& answer = instance_->rooms().send;
   GuardedBuffer<std::uint64_t>& handles = instance_->rooms().granted;
   *instance_->open(answer) = {sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0,
                               instance_->open(handles, offers.size())};

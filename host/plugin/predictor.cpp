@@ -91,7 +91,7 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  GuardedValue<regista_room>& room = instance_->rooms().track_room;
+  GuardedBuffer<regista_room>& room = instance_->rooms().track_room;
   GuardedBuffer<regista_track>& written = instance_->rooms().tracks;
   *instance_->open(room) = {instance_->open(written, track_capacity), track_capacity, 0, sizeof(regista_track), 0};
   instance_->call("tracks", calls_->tracks, room.data());

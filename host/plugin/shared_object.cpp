@@ -128,7 +128,7 @@ std::string loader_message(const std::filesystem::path& path) {
 
 bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
-    if (implements(a, kind) && implements(b, kind)) return true;
+    if (a.table(kind) != nullptr && b.table(kind) != nullptr) return true;
   }
   return false;
 }

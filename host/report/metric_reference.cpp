@@ -212,19 +212,19 @@ std::string measure_axis(std::string_view measure, std::size_t longest) {
 }
 
 Json plugin_json(const plugin::Found& plugin) {
-  const plugin::Info info = plugin::info(plugin);
+  const regista_descriptor& d = *plugin.descriptor;
   Json parameters = Json::array();
-  for (const config::PluginParameter& each : info.parameters) parameters.push_back(parameter_json(each));
-  return {{"id", info.id},
-          {"kinds", info.kinds},
-          {"version", info.version},
-          {"summary", info.summary},
-          {"licence", info.licence},
-          {"build_tag", info.build_tag},
-          {"interface", info.abi},
-          {"file", info.file},
-          {"subjects", info.subjects},
-          {"negotiates", info.negotiates},
+  for (const config::PluginParameter& each : plugin::parameters(plugin)) parameters.push_back(parameter_json(each));
+  return {{"id", d.id},
+          {"kinds", texts::names_of(plugin.description->kinds(), plugin::kind_name)},
+          {"version", d.version},
+          {"summary", d.summary},
+          {"licence", d.licence},
+          {"build_tag", d.build_tag},
+          {"interface", fmt::format("{}.{}", d.abi_major, d.abi_minor)},
+          {"file", plugin.file.string()},
+          {"subjects", plugin::subject_names(plugin.description->subjects())},
+          {"negotiates", plugin::negotiates(plugin)},
           {"parameters", parameters}};
 }
 
