@@ -99,7 +99,6 @@ class OutputFiles {
   };
 
   std::vector<Place> all_reads() const;
-  std::string what_is_read() const;  // for messages: "a file that this match reads"
   void check_folder(const Folder& folder, const std::vector<Place>& reads) const;
   static void check_existing(const Output& output, bool force);
 

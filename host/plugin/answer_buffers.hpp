@@ -45,17 +45,6 @@ struct Guard {
     }
     return seen;
   }
-
-  // Returns 0 if the 8 bytes before `begin` and the 8 bytes behind `end` equal the pattern. Most overflows change them.
-  static std::uint64_t difference_at_edges(const std::byte* begin, const std::byte* end) {
-    return difference<edge>(begin - edge) | difference<edge>(end);
-  }
-
-  // Compares all bytes before `begin` and behind `end` with the pattern. Returns on which side they differ.
-  static Overflow overflow(const std::byte* begin, const std::byte* end) {
-    if (difference<margin>(end) != 0) return Overflow::past_the_end;
-    return difference<before>(begin - before) != 0 ? Overflow::before_the_beginning : Overflow::none;
-  }
 };
 
 // A buffer for answers of type T. All bytes are zero at first. Allocates only when the number of answers grows.
@@ -81,14 +70,21 @@ class GuardedBuffer {
     return {data(), count};
   }
 
+  // Restores the guard pattern.
   void mend() {
     Guard::draw(begin() - Guard::before, Guard::before);
-    Guard::draw(begin() + count_ * sizeof(T), Guard::margin);
+    Guard::draw(end(), Guard::margin);
   }
+  // Returns 0 if the 8 bytes before the buffer and the 8 bytes behind it equal the pattern. Most overflows change them.
   std::uint64_t difference_at_edges() const {
-    return Guard::difference_at_edges(begin(), begin() + count_ * sizeof(T));
+    return Guard::difference<Guard::edge>(begin() - Guard::edge) | Guard::difference<Guard::edge>(end());
   }
-  Overflow overflow() const { return Guard::overflow(begin(), begin() + count_ * sizeof(T)); }
+  // Compares the whole pattern. Returns on which side it differs.
+  Overflow overflow() const {
+    if (Guard::difference<Guard::margin>(end()) != 0) return Overflow::past_the_end;
+    const bool before = Guard::difference<Guard::before>(begin() - Guard::before) != 0;
+    return before ? Overflow::before_the_beginning : Overflow::none;
+  }
 
  private:
   struct alignas(64) Line {
@@ -97,6 +93,8 @@ class GuardedBuffer {
 
   std::byte* begin() { return reinterpret_cast<std::byte*>(lines_.data()) + Guard::before; }
   const std::byte* begin() const { return reinterpret_cast<const std::byte*>(lines_.data()) + Guard::before; }
+  std::byte* end() { return begin() + count_ * sizeof(T); }
+  const std::byte* end() const { return begin() + count_ * sizeof(T); }
 
   void draw_pattern(std::size_t count) {
     const std::size_t used = Guard::before + count * sizeof(T) + Guard::margin;
@@ -105,7 +103,7 @@ class GuardedBuffer {
       Guard::draw(begin() - Guard::before, Guard::before);
     }
     count_ = count;
-    Guard::draw(begin() + count * sizeof(T), Guard::margin);
+    Guard::draw(end(), Guard::margin);
   }
 
   std::vector<Line> lines_;

@@ -24,6 +24,7 @@
 #include "plugin/fatal_signal.hpp"
 #include "plugin/parameters.hpp"
 #include "plugin/process_state.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 
@@ -120,7 +121,7 @@ class alignas(64) Instance {
   template <class Table>
   const Table& table(int kind) const {
     const Table* found = plugin::table<Table>(*descriptor_, kind);
-    if (found == nullptr) has_no_table(kind);
+    if (found == nullptr) fail("table", "is not {}", texts::with_article(kind_name(kind)));
     return *found;
   }
 
@@ -192,7 +193,6 @@ class alignas(64) Instance {
   // Throws Failure if the last call reported a failure or did damage.
   void examine(const char* name, std::int32_t status) const;
   [[noreturn]] void threw(const char* name) const;
-  [[noreturn]] void has_no_table(int kind) const;
 
   // The data that every call needs are in one cache line.
   void* raw_ = nullptr;

@@ -43,11 +43,6 @@ class Positioner : CallsOfKind<regista_positioner, REGISTA_KIND_POSITIONER> {
   // inside field and border strip, scores are >= 0, tasks and robots exist, edges join existing points, and cells
   // belong to existing robots and have existing vertices, counter-clockwise.
   void place(const regista_frame& frame, Placement& out);
-
- private:
-  void check_points(const regista_frame& frame, std::span<const regista_waypoint> points) const;
-  void check_edges(std::span<const regista_edge> edges, std::size_t point_count) const;
-  void check_cells(std::span<const regista_cell> cells, std::span<const regista_vertex> vertices) const;
 };
 
 class Utility : CallsOfKind<regista_utility, REGISTA_KIND_UTILITY> {
@@ -83,11 +78,6 @@ class Behaviour : CallsOfKind<regista_behaviour, REGISTA_KIND_BEHAVIOUR> {
   // Returns the robot's action until its next decision. The reference is valid until the next call. Checks that the
   // numbers of the chosen motion are finite and in range, that enumerators exist, and that the robot can do the kick.
   const regista_action& act(const regista_frame& frame, const regista_body& body);
-
- private:
-  void note_answer(const regista_action& action) const;
-  void check(const regista_action& action) const;
-  void check_kick(const regista_action& action) const;
 };
 
 struct SendDecision {

@@ -115,10 +115,6 @@ class Predictor : CallsOfKind<regista_predictor, REGISTA_KIND_PREDICTOR> {
   std::span<const regista_track> tracks();
 
  private:
-  void check(const regista_track& track, bool has_pose) const;
-  void note_answer(std::span<const regista_track> tracks, bool poses) const;
-  void check_together(std::span<const regista_track> tracks) const;
-
   std::vector<regista_track> tracks_;  // copy of the last answer, which stays valid when the buffer is used again
 };
 
