@@ -60,6 +60,24 @@ void handle(int signal_number, void (*handler)(int), int flags = 0) {
   sigaction(signal_number, &action, nullptr);
 }
 
+// Whether standard error shows colours. NO_COLOR: the convention of https://no-color.org.
+bool shows_colours() {
+  const char* const no_colour = std::getenv("NO_COLOR");
+  return can_rewrite() && (no_colour == nullptr || *no_colour == '\0');
+}
+
+// style: parameters of Select Graphic Rendition (ECMA-48), "1;31" is bold and red.
+void complain_in(const char* style, std::string_view message) {
+  const std::string line = texts::one_line(message);
+  say(shows_colours() ? fmt::format("\x1b[{}mregista:\x1b[0m {}\n", style, line) : fmt::format("regista: {}\n", line));
+}
+
+// Explains an error. Returns the exit code.
+int failed(std::string_view message, int exit_code) {
+  complain_in("1;31", message);
+  return exit_code;
+}
+
 }  // namespace
 
 std::size_t columns_of_output() {
@@ -119,28 +137,6 @@ Interruption::~Interruption() {
 }
 
 int Interruption::signal_number() const { return request; }
-
-namespace {
-
-// Whether standard error shows colours. NO_COLOR: the convention of https://no-color.org.
-bool shows_colours() {
-  const char* const no_colour = std::getenv("NO_COLOR");
-  return can_rewrite() && (no_colour == nullptr || *no_colour == '\0');
-}
-
-// style: parameters of Select Graphic Rendition (ECMA-48), "1;31" is bold and red.
-void complain_in(const char* style, std::string_view message) {
-  const std::string line = texts::one_line(message);
-  say(shows_colours() ? fmt::format("\x1b[{}mregista:\x1b[0m {}\n", style, line) : fmt::format("regista: {}\n", line));
-}
-
-// Explains an error. Returns the exit code.
-int failed(std::string_view message, int exit_code) {
-  complain_in("1;31", message);
-  return exit_code;
-}
-
-}  // namespace
 
 void complain(std::string_view message) {
   complain_in(message.find(": warning: ") == std::string_view::npos ? "1" : "1;33", message);

@@ -116,7 +116,6 @@ struct StudyRequest {
   // documents of the matches. It is then added to the map `set` of the study.
   std::vector<std::string> set;
 };
-// Returns the study's document with all requested changes.
 Node requested(const StudyRequest& request, const DocumentKind& kind);
 
 // Returns the JSON Schema (draft 2020-12) of a kind of document, for editors. The schema accepts only the given plugins

@@ -55,12 +55,6 @@ Node load_over(const fs::path& file, const Location& asked_by, Chain& chain) {
 
 using Entries = std::vector<Node::Entry>;
 
-// Returns whether `base` and `over` name two different plugins.
-bool names_another_plugin(const Node& base, const Node& over) {
-  const Node before = base["plugin"], after = over["plugin"];
-  return before && after && before.text() != after.text();
-}
-
 // Returns whether the sequence is a list of maps that all have names.
 bool has_names(const Node& sequence) {
   const std::span<const Node> elements = sequence.elements();
@@ -238,78 +232,6 @@ struct Overlay {
   }
 };
 
-}  // namespace
-
-Node load(const fs::path& file, const Overrides& overrides) {
-  Chain chain;
-  return override_with(load_over(own_or_shipped(file), {}, chain), overrides);
-}
-
-Override::Override(const std::string& typed) : where{"--set " + typed, 0, 0} {
-  const std::size_t equals = typed.find('=');
-  if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
-  if (equals + 1 == typed.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
-  path = typed.substr(0, equals);
-  value = parse_value(std::string_view(typed).substr(equals + 1), where);
-}
-
-Overrides typed_overrides(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
-
-std::string to_string(const Override& override) { return fmt::format("{}={}", override.path, flow(override.value)); }
-
-Node override_with(Node document, const Overrides& overrides) {
-  for (const Override& each : overrides) document = with(document, each.path, each.value, each.where);
-  return document;
-}
-
-Node merge(const Node& base, const Node& over) {
-  if (base.kind() == Node::Kind::sequence && over.kind() == Node::Kind::map && has_names(base))
-    return merge_by_name(base, over);
-  if (base.kind() != Node::Kind::map || over.kind() != Node::Kind::map) return over;
-  const bool other_plugin = names_another_plugin(base, over);
-  Entries entries;
-  std::map<std::string_view, std::size_t> places;  // key of base -> index in entries
-  for (const Node::Entry& entry : base.entries()) {
-    if (over[entry.key].kind() == Node::Kind::null) continue;
-    if (other_plugin && (entry.key == "params" || entry.key == "file")) continue;
-    places.emplace(entry.key, entries.size());
-    entries.push_back(entry);
-  }
-  for (const Node::Entry& entry : over.entries()) {
-    if (entry.value.kind() == Node::Kind::null) {
-      if (base[entry.key]) continue;
-      throw Error(entry.key_where,
-                  "nothing to remove: " +
-                      texts::unknown("key", entry.key, "", texts::names_of(base.entries(), &Node::Entry::key)));
-    }
-    const auto place = places.find(entry.key);
-    if (place == places.end()) {
-      entries.push_back(entry);
-    } else {
-      Node::Entry& below = entries[place->second];
-      below = {entry.key, entry.key_where, merge(below.value, entry.value)};
-    }
-  }
-  return Node::map(std::move(entries), over.where());
-}
-
-Node with(const Node& document, std::string_view path, const Node& value, const Location& where) {
-  return Overlay{path, value, where}.lay(document, path);
-}
-
-Node value_at(const Node& document, std::string_view path) {
-  if (path.empty()) return document;
-  const bool map = document.kind() == Node::Kind::map;
-  const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
-  if (first.size() + 1 == path.size()) return {};  // the path ends in a dot
-  const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
-  if (map) return value_at(document[first], rest);
-  const std::optional<std::size_t> meant = element_meant(document, first);
-  return meant && *meant < document.elements().size() ? value_at(document.elements()[*meant], rest) : Node();
-}
-
-namespace {
-
 // Returns whether a user who wrote `asked` may have meant the file `there`. Ignores the endings of the file names.
 bool alike(const fs::path& asked, const fs::path& there) {
   const std::string stem = asked.stem().string(), other = there.stem().string();
@@ -406,6 +328,75 @@ class Search {
 };
 
 }  // namespace
+
+Node load(const fs::path& file, const Overrides& overrides) {
+  Chain chain;
+  return override_with(load_over(own_or_shipped(file), {}, chain), overrides);
+}
+
+Override::Override(const std::string& typed) : where{"--set " + typed, 0, 0} {
+  const std::size_t equals = typed.find('=');
+  if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
+  if (equals + 1 == typed.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
+  path = typed.substr(0, equals);
+  value = parse_value(std::string_view(typed).substr(equals + 1), where);
+}
+
+Overrides typed_overrides(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+
+std::string to_string(const Override& override) { return fmt::format("{}={}", override.path, flow(override.value)); }
+
+Node override_with(Node document, const Overrides& overrides) {
+  for (const Override& each : overrides) document = with(document, each.path, each.value, each.where);
+  return document;
+}
+
+Node merge(const Node& base, const Node& over) {
+  if (base.kind() == Node::Kind::sequence && over.kind() == Node::Kind::map && has_names(base))
+    return merge_by_name(base, over);
+  if (base.kind() != Node::Kind::map || over.kind() != Node::Kind::map) return over;
+  const Node before = base["plugin"], after = over["plugin"];
+  const bool other_plugin = before && after && before.text() != after.text();
+  Entries entries;
+  std::map<std::string_view, std::size_t> places;  // key of base -> index in entries
+  for (const Node::Entry& entry : base.entries()) {
+    if (over[entry.key].kind() == Node::Kind::null) continue;
+    if (other_plugin && (entry.key == "params" || entry.key == "file")) continue;
+    places.emplace(entry.key, entries.size());
+    entries.push_back(entry);
+  }
+  for (const Node::Entry& entry : over.entries()) {
+    if (entry.value.kind() == Node::Kind::null) {
+      if (base[entry.key]) continue;
+      throw Error(entry.key_where,
+                  "nothing to remove: " +
+                      texts::unknown("key", entry.key, "", texts::names_of(base.entries(), &Node::Entry::key)));
+    }
+    const auto place = places.find(entry.key);
+    if (place == places.end()) {
+      entries.push_back(entry);
+    } else {
+      Node::Entry& below = entries[place->second];
+      below = {entry.key, entry.key_where, merge(below.value, entry.value)};
+    }
+  }
+  return Node::map(std::move(entries), over.where());
+}
+
+Node with(const Node& document, std::string_view path, const Node& value, const Location& where) {
+  return Overlay{path, value, where}.lay(document, path);
+}
+
+Node value_at(const Node& document, std::string_view path) {
+  if (path.empty()) return document;
+  const bool map = document.kind() == Node::Kind::map;
+  const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
+  if (first.size() + 1 == path.size()) return {};  // the path ends in a dot
+  const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
+  if (map) return value_at(document[first], rest);
+  const std::optional<std::size_t> meant = element_meant(document, first);
+  return meant && *meant < document.elements().size() ? value_at(document.elements()[*meant], rest) : Node();
+}
 
 std::string read_file(const fs::path& file, const Location& asked_by, std::string_view expected) {
   const bool asked = !asked_by.file.empty();

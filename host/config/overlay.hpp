@@ -38,7 +38,6 @@ std::string to_string(const Override& override);  // "path=value"
 // may also be the name of a shipped document (shipped.hpp). Every value keeps its Location in its file or override.
 Node load(const std::filesystem::path& file, const Overrides& overrides = {});
 
-// Lays the overrides over a document in memory and returns the result.
 Node override_with(Node document, const Overrides& overrides);
 
 // Lays `over` over `base`. Maps are merged key by key. Any other value replaces the value of `base`; null removes the

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
-#include <type_traits>
 
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
@@ -226,41 +225,26 @@ void compare_freely(const std::string& path, const Node& before, const Node& now
 }
 
 void compare(const std::string& path, const Map& declared, const Node& before, const Node& now,
-             std::vector<std::string>& out);
-
-struct Comparison {
-  const std::string& path;
-  const Node &before, &now;
-  std::vector<std::string>& out;
-
-  template <class Kind>
-  void operator()(const Kind&) const {
-    compare_freely(path, before, now, out);
-  }
-  void operator()(const File&) const {}
-  void operator()(const Paths&) const {}
-  void operator()(const Section& section) const {
-    if (!before || !now || !section.present()) return compare_freely(path, before, now, out);
-    compare(path, section.open(), before, now, out);
-  }
-  void operator()(const List& list) const {
-    const std::size_t then = before.elements().size(), today = now.elements().size();
-    if (then != today) {
-      out.push_back(fmt::format("the number of {}: was {}, now {}", path, then, today));
-      return;
-    }
-    for (std::size_t i = 0; i < today && i < list.size(); ++i) {
-      compare(fmt::format("{}.{}", path, i), list.element(i), before.elements()[i], now.elements()[i], out);
-    }
-  }
-};
-
-void compare(const std::string& path, const Map& declared, const Node& before, const Node& now,
              std::vector<std::string>& out) {
   for (const Field& each : declared.fields) {
-    if (!each.decides) continue;
+    if (!each.decides || std::holds_alternative<File>(each.kind) || std::holds_alternative<Paths>(each.kind)) continue;
     const std::string name = inside(path, each.key);
-    std::visit(Comparison{name, before[each.key], now[each.key], out}, each.kind);
+    const Node then = before[each.key], today = now[each.key];
+    if (const List* const list = std::get_if<List>(&each.kind)) {
+      const std::size_t count = today.elements().size();
+      if (then.elements().size() != count) {
+        out.push_back(fmt::format("the number of {}: was {}, now {}", name, then.elements().size(), count));
+        continue;
+      }
+      for (std::size_t i = 0; i < count && i < list->size(); ++i) {
+        compare(fmt::format("{}.{}", name, i), list->element(i), then.elements()[i], today.elements()[i], out);
+      }
+    } else if (const Section* const section = std::get_if<Section>(&each.kind);
+               section != nullptr && then && today && section->present()) {
+      compare(name, section->open(), then, today, out);
+    } else {
+      compare_freely(name, then, today, out);
+    }
   }
 }
 
@@ -340,20 +324,15 @@ std::vector<Difference> differences(const Node& first, const Node& second) {
 
 void rename_files(const Map& declared, const std::function<std::string(const std::string&)>& renamed) {
   for (const Field& each : declared.fields) {
-    std::visit(
-        [&](const auto& kind) {
-          using Kind = std::remove_cvref_t<decltype(kind)>;
-          if constexpr (std::is_same_v<Kind, File>) {
-            if (kind.member.present() && !kind.member.get().empty()) kind.member.get() = renamed(kind.member.get());
-          } else if constexpr (std::is_same_v<Kind, Paths>) {
-            for (NamedPath& path : *kind.members) path.path = renamed(path.path);
-          } else if constexpr (std::is_same_v<Kind, Section>) {
-            if (kind.present()) rename_files(kind.open(), renamed);
-          } else if constexpr (std::is_same_v<Kind, List>) {
-            for (std::size_t i = 0; i < kind.size(); ++i) rename_files(kind.element(i), renamed);
-          }
-        },
-        each.kind);
+    if (const File* const file = std::get_if<File>(&each.kind)) {
+      if (file->member.present() && !file->member.get().empty()) file->member.get() = renamed(file->member.get());
+    } else if (const Paths* const paths = std::get_if<Paths>(&each.kind)) {
+      for (NamedPath& path : *paths->members) path.path = renamed(path.path);
+    } else if (const Section* const section = std::get_if<Section>(&each.kind)) {
+      if (section->present()) rename_files(section->open(), renamed);
+    } else if (const List* const list = std::get_if<List>(&each.kind)) {
+      for (std::size_t i = 0; i < list->size(); ++i) rename_files(list->element(i), renamed);
+    }
   }
 }
 

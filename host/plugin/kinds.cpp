@@ -15,7 +15,7 @@
 namespace regista::plugin {
 namespace {
 
-constexpr double rounding = 1e-9;  // rounding errors, in m and m^2
+constexpr double tolerance = 1e-9;  // rounding errors, in m, m^2 and rad
 
 // Largest utility; it keeps sums of weighted terms finite.
 constexpr double largest = 1e12;
@@ -45,8 +45,7 @@ void check_each(const Instance& instance, std::span<const double> values, std::s
   }
 }
 
-constexpr double fastest = 1e4;     // m/s and rad/s
-constexpr double tolerance = 1e-9;  // rounding errors
+constexpr double fastest = 1e4;  // m/s and rad/s
 constexpr double half_turn = std::numbers::pi;
 
 // Returns whether |value| <= limit; false for NaN.
@@ -54,8 +53,8 @@ bool within(double value, double limit) { return std::abs(value) <= limit; }
 
 void check_points(const Instance& instance, const regista_frame& frame, std::span<const regista_waypoint> points) {
   const regista_environment& field = instance.environment();
-  const double x_limit = field.field_length / 2 + field.border_strip + rounding;
-  const double y_limit = field.field_width / 2 + field.border_strip + rounding;
+  const double x_limit = field.field_length / 2 + field.border_strip + tolerance;
+  const double y_limit = field.field_width / 2 + field.border_strip + tolerance;
   const auto tasks = static_cast<std::int64_t>(frame.tasks.count);
   const auto robots = static_cast<std::int64_t>(field.team_size);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -110,7 +109,7 @@ void check_cells(const Instance& instance, std::span<const regista_cell> cells,
       const regista_vertex& b = vertices[cell.first + (k + 1 == cell.count ? 0 : k + 1)];
       twice_area += a.x * b.y - b.x * a.y;
     }
-    if (twice_area < -rounding) [[unlikely]]
+    if (twice_area < -tolerance) [[unlikely]]
       instance.fail("place", "cell {} runs clockwise", i);
   }
 }
