@@ -45,9 +45,8 @@ class Command {
     declared_.options.back().choices = std::move(choices);
   }
   void flag(const std::string& name, bool& into, const std::string& help);
-  void notes(const std::string& text) {
-    declared_.notes = text;
-  }  // sets the last part of --help, for example exit codes; form: see filled()
+  // Sets the last part of --help, for example exit codes; form: see filled().
+  void notes(const std::string& text) { declared_.notes = text; }
 
   // The action of the command. Returns an exit code. May throw exceptions, which explain_current_exception() explains.
   std::function<int()> run;

@@ -49,11 +49,7 @@ Field name(std::string key, Member<std::string> member, std::string doc) {
   return {std::move(key), std::move(doc), Name{std::move(member)}};
 }
 
-Field file(std::string key, Member<std::string> member, std::string doc) {
-  return {std::move(key), std::move(doc), File{std::move(member)}};
-}
-
-Field profile(std::string key, Member<std::string> member, std::string built_in, std::string doc) {
+Field file(std::string key, Member<std::string> member, std::string doc, std::string built_in) {
   return {std::move(key), std::move(doc), File{std::move(member), std::move(built_in)}};
 }
 

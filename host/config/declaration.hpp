@@ -179,8 +179,7 @@ Field integer(std::string key, Member<int> member, Range range, std::string unit
 Field integer(std::string key, Member<std::int64_t> member, Range range, std::string unit, std::string doc);
 Field boolean(std::string key, Member<bool> member, std::string doc);
 Field name(std::string key, Member<std::string> member, std::string doc);
-Field file(std::string key, Member<std::string> member, std::string doc);
-Field profile(std::string key, Member<std::string> member, std::string built_in, std::string doc);
+Field file(std::string key, Member<std::string> member, std::string doc, std::string built_in = {});
 Field paths(std::string key, std::vector<NamedPath>& members, std::string doc);
 Field free(std::string key, Node& member, std::string definition, std::string doc);
 

@@ -104,19 +104,17 @@ static Map declare(Experiment::Arm& arm) {
 
 static Map declare(Experiment::Sweep& sweep) {
   return {{
-              required(line("path", sweep.path, "of the value that is varied")),
-              required(values("values", sweep.values, "that it takes, each with every arm")),
-          },
-          &sweep.where};
+      required(line("path", sweep.path, "of the value that is varied")),
+      required(values("values", sweep.values, "that it takes, each with every arm")),
+  }};
 }
 
 static Map declare(ExperimentPrimary& primary) {
   return {{
-              required(line("measure", primary.measure, "number of a match that the test is about")),
-              pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
-              choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
-          },
-          &primary.where};
+      required(line("measure", primary.measure, "number of a match that the test is about")),
+      pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
+      choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
+  }};
 }
 
 Map declare(Experiment& experiment) {
@@ -134,8 +132,8 @@ Map declare(Experiment& experiment) {
                       "for each arm, an even number: half at home, half away"),
               integer("seed", experiment.seed, {0, largest_seed}, "1",
                       "of the pairs of matches; the same seed plays the same"),
-              profile("disturbance", experiment.disturbance, "none", "of the arm's team; `none` is built in"),
-              profile("opponent_disturbance", experiment.opponent_disturbance, "none", "of the opponent"),
+              file("disturbance", experiment.disturbance, "of the arm's team; `none` is built in", "none"),
+              file("opponent_disturbance", experiment.opponent_disturbance, "of the opponent", "none"),
               section("sweep", experiment.sweep, "a value that is varied"),
               lines("measures", experiment.measures, "numbers of a match that are shown; without it the usual ones"),
               section("primary", experiment.primary, "what is tested"),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The values of an experiment document: teams to compare ("arms"), one opponent for all arms, the amount of play, the
-// measures, and the statistical test. This file only holds values; it opens no files and plays no matches. The study
-// follows section 4 of Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot
-// Soccer Environment with Limited Communication", 2023: 60 minutes of play for each arm.
+// measures, and the statistical test. The study follows section 4 of Affinita et al., "Multi-Agent Coordination for a
+// Partially Observable and Dynamic Robot Soccer Environment with Limited Communication", 2023: 60 minutes per arm.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +24,6 @@ struct ExperimentPrimary {
   std::string measure;
   std::vector<Node> compare;  // each element is a list of two arm names; empty: every pair of arms
   PairedTest test = PairedTest::sign_flip;
-  Location where;
 };
 
 struct Experiment {
@@ -40,7 +38,6 @@ struct Experiment {
   struct Sweep {
     std::string path;
     std::vector<Node> values;
-    Location where;
   };
 
   std::string name, question;

@@ -124,7 +124,6 @@ struct UtilityTerm {
   PluginUse use;
   double weight = 1.0;
   std::optional<std::array<double, 2>> tune;  // range of the weight for the tuner
-  Location where;
 };
 
 struct TaskRules {

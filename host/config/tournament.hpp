@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a tournament document: the teams, the pairings, the number of matches, the openings, and a sequential
-// test. This file only holds values; it opens no files and plays no matches.
+// The values of a tournament document: teams, pairings, number of matches, openings, and a sequential test.
 #pragma once
 
 #include <array>
@@ -23,14 +22,12 @@ struct TournamentTest {
   static constexpr double usual_rate = 0.05;
   double alpha = usual_rate;
   std::optional<double> beta;  // only with `elo`; missing: usual_rate
-  Location where;
 };
 
 struct Tournament {
   struct Team {
     std::string team;           // file
     std::string disturbance{};  // file of a disturbance for this team alone; empty: the disturbance of all teams
-    Location where;
   };
   // round_robin: all teams meet. gauntlet: each team meets the first team. swiss: in each round, each team meets a team
   // with about as many points. knock_out: the loser of a meeting leaves.

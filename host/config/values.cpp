@@ -159,22 +159,13 @@ class Page {
   }
 
   static std::string initial(const PluginParameter& parameter) {
-    switch (parameter.type) {
-      case PluginParameter::Type::real:
-      case PluginParameter::Type::integer:
-        return real_text(parameter.initial);
-      case PluginParameter::Type::boolean:
-        return parameter.initial != 0.0 ? "true" : "false";
-      case PluginParameter::Type::choice: {
-        const auto index = static_cast<std::size_t>(std::max(0.0, parameter.initial));
-        return index < parameter.choices.size() ? flow_text(parameter.choices[index], false) : "";
-      }
-      case PluginParameter::Type::text:
-        return flow_text(parameter.initial_text, true);
-      case PluginParameter::Type::file:
-        return parameter.initial_text.empty() ? "" : flow_text(parameter.initial_text, true);
-    }
-    return "";
+    using Type = PluginParameter::Type;
+    if (parameter.type == Type::boolean) return parameter.initial != 0.0 ? "true" : "false";
+    if (parameter.type == Type::file && parameter.initial_text.empty()) return "";
+    if (parameter.type == Type::file || parameter.type == Type::text) return flow_text(parameter.initial_text, true);
+    if (parameter.type != Type::choice) return real_text(parameter.initial);
+    const auto index = static_cast<std::size_t>(std::max(0.0, parameter.initial));
+    return index < parameter.choices.size() ? flow_text(parameter.choices[index], false) : "";
   }
 
   // A name that YAML would read as a boolean needs quotes.

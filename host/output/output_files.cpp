@@ -12,7 +12,6 @@
 
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
-#include "config/shipped.hpp"
 #include "output/replaced_file.hpp"
 #include "study/study.hpp"
 #include "texts/message.hpp"

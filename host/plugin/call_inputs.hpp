@@ -183,7 +183,6 @@ using CallTrail = std::vector<CallAnswer>;
 // Largest number of answers in a trail, because a plugin may make any number of offers. add() ignores later answers.
 inline constexpr std::size_t most_answers = 4096;
 
-// Adds the answer of the call that `note` describes.
 inline void add(CallTrail& trail, const CallNote& note, std::uint64_t digest) {
   if (trail.size() < most_answers) trail.push_back({note.plugin, note.call, digest});
 }

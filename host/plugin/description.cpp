@@ -20,6 +20,7 @@
 namespace regista::plugin {
 namespace {
 
+// most_parameters also limits the choices of a parameter in received bytes: a plugin may have damaged their writer.
 constexpr std::uint32_t most_parameters = 1000, most_reasons = 64;
 
 // Returns the first member of a call table. The first member is the size of the table in the tables of all kinds.
@@ -80,8 +81,6 @@ bool is_plain_value(std::string_view text) {
   return texts::visible_lines(without_tabs) == without_tabs;
 }
 
-bool is_number(std::int32_t type) { return type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER; }
-
 std::string wrong_with_number(const regista_parameter& p) {
   if (!std::isfinite(p.minimum) || !std::isfinite(p.maximum) || p.minimum > p.maximum) {
     return fmt::format("{} to {} is no range", p.minimum, p.maximum);
@@ -129,8 +128,10 @@ std::string wrong_with_texts(std::initializer_list<Text> texts) {
 
 std::string wrong_with(const regista_parameter& p) {
   if (const std::string wrong = wrong_with_texts({{"unit", p.unit}, {"doc", p.doc}}); !wrong.empty()) return wrong;
-  if (is_number(p.type)) return wrong_with_number(p);
   switch (p.type) {
+    case REGISTA_TYPE_REAL:
+    case REGISTA_TYPE_INTEGER:
+      return wrong_with_number(p);
     case REGISTA_TYPE_BOOLEAN:
       return p.initial == 0.0 || p.initial == 1.0 ? "" : fmt::format("default {} is neither 0 nor 1", p.initial);
     case REGISTA_TYPE_CHOICE:
@@ -248,9 +249,6 @@ std::string wrong_with_metrics(const regista_descriptor& d) {
                          "declares the metric \"{}\" twice");
 }
 
-// Largest accepted number of parameters or choices. A plugin may have damaged the process that wrote the bytes.
-constexpr std::uint32_t most_listed = 1000;
-
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
 std::array<const char**, 5> texts_of(regista_descriptor& d) {
@@ -261,7 +259,7 @@ std::array<const char**, 5> texts_of(regista_descriptor& d) {
 template <class List>
 void grow(List& list, std::uint32_t count) {
   if (count == list.size()) return;
-  if (count > most_listed) throw std::out_of_range("too many parameters or choices");
+  if (count > most_parameters) throw std::out_of_range("too many parameters or choices");
   list.resize(count);
 }
 

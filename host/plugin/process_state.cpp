@@ -141,16 +141,12 @@ std::string FloatingPointState::changed_from(const FloatingPointState& earlier) 
 
 #else
 
-namespace {
-
 // Returns whether the processor sets denormal numbers to zero. No portable function returns this setting.
-bool flushes_to_zero() {
+static bool flushes_to_zero() {
   volatile double least = std::numeric_limits<double>::min();
   least = least / 2;
   return least == 0.0;
 }
-
-}  // namespace
 
 std::uint32_t FloatingPointState::difference_for_numbers() {
   return std::fegetround() == FE_TONEAREST && !flushes_to_zero() ? 0 : 1;

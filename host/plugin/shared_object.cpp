@@ -93,9 +93,8 @@ std::string variable_of_all_files(Elf* elf) {
 // Returns why the file cannot be a plugin; empty if the file may be a plugin. Does not run the file.
 std::string why_no_plugin(const std::filesystem::path& path) {
   const process::FileDescriptor file = open_file(path);
-  const int code = errno;
   if (!file.is_open()) {
-    return code == ENOENT ? "does not exist" : fmt::format("cannot be read: {}", system_message(code));
+    return errno == ENOENT ? "does not exist" : fmt::format("cannot be read: {}", system_message(errno));
   }
   struct stat about {};
   if (::fstat(file.number, &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
