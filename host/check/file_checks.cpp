@@ -206,7 +206,7 @@ ObjectFile read_object(const std::filesystem::path& path) {
     return out;
   }
   elf_version(EV_CURRENT);
-  const plugin::ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr));
+  const plugin::ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr), &elf_end);
   out.wrong = elf == nullptr ? "is not a shared object" : wrong_with_header(elf.get());
   if (!out.wrong.empty()) return out;
   const auto bytes = static_cast<std::uint64_t>(about.st_size);

@@ -331,14 +331,11 @@ class TableWriter {
     row(path, fmt::format("`{}`", fmt::join(choice.names, "`, `")), field, choice.names[choice.get()]);
   }
   void write(const Field& field, const Numbers& numbers, const std::string& path) {
-    std::vector<std::string> values;
-    if (numbers.present()) {
-      for (const double* each : numbers.get()) values.push_back(fmt::format("{:.10g}", *each));
-    }
+    const auto number = [](const double* each) { return Node::scalar(fmt::format("{:.10g}", *each)); };
     row(path,
         fmt::format("a list of {}{} numbers, {}", numbers.count, numbers.ascending ? " ascending" : "",
                     range_text(numbers.range, numbers.unit)),
-        field, values.empty() ? "" : fmt::format("[{}]", fmt::join(values, ", ")));
+        field, numbers.present() ? flow(sequence_of(numbers.get(), number)) : "");
   }
   void write(const Field& field, const Own& own, const std::string& path) { form(field, own.definition, path); }
   void write(const Field& field, const Free& free, const std::string& path) { form(field, free.definition, path); }

@@ -33,6 +33,14 @@ Field segment(std::string key, std::optional<OnLine>& line, std::string doc) {
   return {std::move(key), std::move(doc), Own{"segment", read_line, write_line}};
 }
 
+std::vector<Field> plugin_fields(PluginUse& use) {
+  return {
+      required(name("plugin", use.plugin, "id")),
+      file("file", use.file, "a certain shared object, instead of the one that the search finds"),
+      free("params", use.params, "params", "parameters of the plugin"),
+  };
+}
+
 // A nested map that needs no struct of its own. open() declares the map.
 Field group(std::string key, std::function<Map()> open, std::string doc) {
   return {std::move(key), std::move(doc), Section{std::move(open), [] { return true; }}};
@@ -237,14 +245,6 @@ const std::vector<std::string>& usable_keys() {
   static const std::vector<std::string> keys{"roles",   "targets",  "positioner", "tasks",
                                              "utility", "assigner", "sender"};
   return keys;
-}
-
-std::vector<Field> plugin_fields(PluginUse& use) {
-  return {
-      required(name("plugin", use.plugin, "id")),
-      file("file", use.file, "a certain shared object, instead of the one that the search finds"),
-      free("params", use.params, "params", "parameters of the plugin"),
-  };
 }
 
 Field plugin_field(std::string key, PluginUse& use, std::string kind, std::string doc) {

@@ -47,9 +47,6 @@ Node targets_of(const Node& use);
 // Reads and checks a team's document. A role without a behaviour in the document gets the default of Role::behaviour.
 TeamDocument read_team_document(const Node& document, Mistakes& mistakes);
 
-// Returns the keys `plugin`, `file` and `params` of a plugin, for a map that also has other keys.
-std::vector<Field> plugin_fields(PluginUse& use);
-
 // Returns a section with exactly the keys `plugin`, `file` and `params`. kind: kind of the plugin, such as "predictor".
 Field plugin_field(std::string key, PluginUse& use, std::string kind, std::string doc);
 

@@ -319,11 +319,6 @@ std::string subject_names(std::uint32_t subjects) {
   return fmt::format("{}", fmt::join(out, ", "));
 }
 
-std::string_view combine_name(std::int32_t combine) {
-  constexpr std::array<std::string_view, 6> names{"", "sum", "mean", "least", "greatest", "mean over time"};
-  return names.at(static_cast<std::size_t>(combine));
-}
-
 const char* Description::keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
 
 Description::Description(const regista_descriptor& live) : declared_(live) {

@@ -26,9 +26,6 @@ struct DeclaredMetric {
   std::int32_t combine = REGISTA_METRIC_SUM;
 };
 
-// Returns the name of a REGISTA_METRIC_* value: "sum", "mean", "least", "greatest" or "mean over time".
-std::string_view combine_name(std::int32_t combine);
-
 template <class Archive>
 void visit(Archive& archive, DeclaredMetric& metric) {
   archive(metric.name, metric.unit, metric.doc, metric.combine);

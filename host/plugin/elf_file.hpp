@@ -24,10 +24,7 @@ inline process::FileDescriptor open_file(const std::filesystem::path& path) {
   return process::FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
 }
 
-struct CloseElf {
-  void operator()(Elf* elf) const { elf_end(elf); }
-};
-using ElfFile = std::unique_ptr<Elf, CloseElf>;
+using ElfFile = std::unique_ptr<Elf, decltype(&elf_end)>;
 
 // The part of a shared object that the loader reads: exported and imported names, and needed libraries. This class
 // finds the part by the segments, as the loader does, because a file may have no sections.

@@ -76,6 +76,13 @@ std::string row(const PluginParameter& p) {
                      initial.empty() ? "none" : as_code(initial), tuned, as_text(p.doc));
 }
 
+// Returns how the values of a metric are combined, and the unit of the metric: "sum, s".
+std::string how_told(const DeclaredMetric& metric) {
+  constexpr std::array<std::string_view, 6> names{"", "sum", "mean", "least", "greatest", "mean over time"};
+  const bool plain = metric.unit.empty() || metric.unit == "1";
+  return fmt::format("{}{}", names.at(static_cast<std::size_t>(metric.combine)), plain ? "" : ", " + metric.unit);
+}
+
 std::string section(const Found& plugin) {
   const regista_descriptor& d = *plugin.descriptor;
   const std::string subjects = subject_names(plugin.description->subjects());
@@ -109,11 +116,6 @@ std::string default_text(const PluginParameter& p) {
   if (p.type == Type::boolean) return p.initial != 0.0 ? "true" : "false";
   if (p.type == Type::choice) return p.choices[static_cast<std::size_t>(p.initial)];
   return p.type == Type::text ? texts::in_quotes(p.initial_text) : "";
-}
-
-std::string how_told(const DeclaredMetric& metric) {
-  const bool plain = metric.unit.empty() || metric.unit == "1";
-  return fmt::format("{}{}", combine_name(metric.combine), plain ? "" : ", " + metric.unit);
 }
 
 bool negotiates(const Found& plugin) {

@@ -24,9 +24,6 @@ std::string_view type_name(config::PluginParameter::Type type);  // "real"
 // Returns the default value; a text is in quotes. Empty for a file, which has no default.
 std::string default_text(const config::PluginParameter& parameter);
 
-// Returns how the values of a metric are combined, and the unit of the metric: "sum, s".
-std::string how_told(const DeclaredMetric& metric);
-
 // Returns a text of several lines about one plugin. Each line ends with a newline.
 std::string info_text(const Found& plugin);
 

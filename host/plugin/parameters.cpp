@@ -22,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using config::Node;
 
+constexpr std::uintmax_t largest_parameter_file = 16'000'000;  // bytes
+
 struct Reading {
   const regista_parameter& declared;
   const Node& node;

@@ -44,12 +44,6 @@ bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   return turned & certain & aimed & clearly_definite(t.covariance);
 }
 
-// Returns the usual number of tracks. A larger number is rare and costs one allocation.
-std::size_t usual_tracks(std::uint32_t subject, std::size_t team_size) {
-  if (subject == REGISTA_SUBJECT_SELF) return 1;
-  return subject == REGISTA_SUBJECT_TEAMMATES ? team_size : 16;
-}
-
 void note_answer(const Instance& instance, std::span<const regista_track> tracks, bool poses) {
   if (!instance.is_traced()) [[likely]]
     return;
@@ -148,7 +142,8 @@ void check_together(const Instance& instance, std::span<const regista_track> tra
 
 Predictor::Predictor(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   const std::uint32_t subject = instance_->environment().subject;
-  tracks_.reserve(usual_tracks(subject, instance_->environment().team_size));
+  const std::size_t usual = subject == REGISTA_SUBJECT_TEAMMATES ? instance_->environment().team_size : 16;
+  tracks_.reserve(subject == REGISTA_SUBJECT_SELF ? 1 : usual);  // a larger number is rare: it costs one allocation
   instance_->rooms().tracks.open(track_capacity);
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", "models {}, not {}", subject_names(calls_->subjects),

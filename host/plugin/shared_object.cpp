@@ -102,7 +102,7 @@ std::string why_no_plugin(const std::filesystem::path& path) {
   if (!S_ISREG(about.st_mode)) return "is not a regular file";
   if (about.st_size == 0) return "is empty";
   if (elf_version(EV_CURRENT) == EV_NONE) return "cannot be checked: libelf is too old";
-  const ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr));
+  const ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr), &elf_end);
   GElf_Ehdr header;
   if (elf == nullptr || elf_kind(elf.get()) != ELF_K_ELF) return "is not a shared object";
   if (gelf_getehdr(elf.get(), &header) == nullptr) return truncated;
@@ -347,8 +347,8 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
     return Looked::until_one;
   }
   if (next == files.size()) return Looked::at_all;
-  const bool sound_so_far = std::all_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(next),
-                                        [](const ScannedFile& each) { return each.refusal.empty(); });
+  const bool sound_so_far =
+      std::ranges::all_of(std::span(out).first(next), [](const ScannedFile& each) { return each.refusal.empty(); });
   out[next] = refused(child.why_not());
   if (child.killed()) return Looked::until_killed;
   return child.hung() && sound_so_far ? Looked::until_one_that_hung : Looked::until_one;
