@@ -16,7 +16,6 @@
 
 #include "config/documents.hpp"
 #include "config/overlay.hpp"
-#include "config/profiles.hpp"
 #include "config/values.hpp"
 #include "plugin/info.hpp"
 #include "plugin/shared_object.hpp"

@@ -13,7 +13,6 @@
 #include "config/documents.hpp"
 #include "config/errors.hpp"
 #include "config/parse.hpp"
-#include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/renamed_keys.hpp"
 #include "config/rules.hpp"

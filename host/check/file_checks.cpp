@@ -195,18 +195,18 @@ Entry entry_of(const fs::path& file) {
 
 ObjectFile read_object(const std::filesystem::path& path) {
   ObjectFile out;
-  const plugin::OpenFile file(path);
-  if (file.number() < 0) {
+  const process::FileDescriptor file = plugin::open_file(path);
+  if (!file.is_open()) {
     out.wrong = fmt::format("cannot be read: {}", std::generic_category().message(errno));
     return out;
   }
   struct stat about {};
-  if (::fstat(file.number(), &about) != 0 || !S_ISREG(about.st_mode)) {
+  if (::fstat(file.number, &about) != 0 || !S_ISREG(about.st_mode)) {
     out.wrong = S_ISDIR(about.st_mode) ? "is a folder, not a shared object" : "is not a regular file";
     return out;
   }
   elf_version(EV_CURRENT);
-  const plugin::ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  const plugin::ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr), &elf_end);
   out.wrong = elf == nullptr ? "is not a shared object" : wrong_with_header(elf.get());
   if (!out.wrong.empty()) return out;
   const auto bytes = static_cast<std::uint64_t>(about.st_size);

@@ -94,7 +94,7 @@ int run(const Invocation& invocation) {
     output::print(typed.answer);
     return exit_done;
   }
-  if (!typed.command->is_hidden()) require_working_folder();  // hidden commands need no working folder
+  if (!typed.command->hidden) require_working_folder();  // hidden commands need no working folder
   return typed.command->run();
 }
 

@@ -10,9 +10,8 @@
 #include <system_error>
 
 #include "cli/common_options.hpp"
-#include "config/difference.hpp"
+#include "config/documents.hpp"
 #include "config/parse.hpp"
-#include "config/reference.hpp"
 #include "config/rules.hpp"
 #include "config/team.hpp"
 #include "config/team_check.hpp"
@@ -263,8 +262,8 @@ bool has(const config::RoleList& list, const std::string& role) {
   return std::ranges::find(list.roles, role, &config::Role::name) != list.roles.end();
 }
 
-[[noreturn]] void refuse_role(const config::TeamDocument& page, const config::RoleList& list, const std::string& role) {
-  for (const config::RoleList& other : page.role_lists) {
+[[noreturn]] void refuse_role(const config::Team& team, const config::RoleList& list, const std::string& role) {
+  for (const config::RoleList& other : team.role_lists) {
     if (has(other, role)) {
       throw BadInput(fmt::format("--role: {0} is in the list {1}, not in {2}; add --list {1}", texts::one_line(role),
                                  other.name, list.name));
@@ -274,10 +273,10 @@ bool has(const config::RoleList& list, const std::string& role) {
                  texts::unknown("role", role, list.name, texts::names_of(list.roles, &config::Role::name)));
 }
 
-std::vector<const config::Role*> roles_of(const config::TeamDocument& page, const config::RoleList& list,
+std::vector<const config::Role*> roles_of(const config::Team& team, const config::RoleList& list,
                                           const std::vector<std::string>& wanted) {
   for (const std::string& each : wanted) {
-    if (!has(list, each)) refuse_role(page, list, each);
+    if (!has(list, each)) refuse_role(team, list, each);
   }
   std::vector<const config::Role*> out;
   for (const config::Role& each : list.roles) {
@@ -293,14 +292,15 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");
   const config::Node document = config::load(file, config::typed_overrides(options.overrides));
   config::require_kind(document, config::DocumentKind::team);
-  const config::TeamDocument page = config::read_team_document(document);
+  config::Mistakes first(config::Mistakes::After::stop);
+  const config::Team team = config::read_team_document(document, first).team;
   const config::Rules rules =
       options.rules.empty() ? config::Rules{} : config::read_document<config::Rules>(options.rules);
   const config::RoleList list = !options.context.empty() ? list_in(document, options.context)
                                 : options.list.empty()
-                                    ? page.role_lists.front()
-                                    : named(page.role_lists, options.list, "--list: ", "list of roles");
-  const std::vector<const config::Role*> roles = roles_of(page, list, options.roles);
+                                    ? team.role_lists.front()
+                                    : named(team.role_lists, options.list, "--list: ", "list of roles");
+  const std::vector<const config::Role*> roles = roles_of(team, list, options.roles);
   const std::string shown = options.context.empty() ? "the list " + list.name : "the context " + options.context;
   std::vector<std::array<double, 2>> balls;
   const config::Carpet field_margin(rules.field);
@@ -310,7 +310,7 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   }
   if (balls.empty() && !options.no_ball) balls.push_back({0.0, 0.0});
   outputs.check(options.force);
-  const std::string picture = recording::roles_svg({page.name, shown, roles, balls}, rules.field);
+  const std::string picture = recording::roles_svg({team.name, shown, roles, balls}, rules.field);
   if (options.output == "-") {
     output::print(picture);
     return exit_done;

@@ -301,7 +301,7 @@ int run(const PluginCheckOptions& options, const Invocation& invocation) {
 // Adds the hidden command with which the check `elsewhere` starts the program again.
 void add_perturbed(Command& parent) {
   Command& command = parent.add(perturbed_command, "a course of a plugin that is checked");
-  command.hide();
+  command.hidden = true;
   const auto words = std::make_shared<std::vector<std::string>>();
   command.take("words", *words, "WORD", "what to play, and where to tell it", Reads::data);
   command.run = [words]() -> int {

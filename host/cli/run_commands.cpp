@@ -363,7 +363,7 @@ void add_stop(Command& parent, const Invocation& /*invocation*/) {
 // Adds the hidden command that one task of a cluster's job array runs.
 void add_cluster_task(Command& parent, const Invocation& invocation) {
   Command& command = parent.add("cluster-task", "a slice of a study on a cluster");
-  command.hide();
+  command.hidden = true;
   const auto words = std::make_shared<std::vector<std::string>>();
   command.take("words", *words, "FOLDER BATCH TASK", "the study's folder, the batch, and the place in its array");
   command.run = [words, &invocation] {

@@ -88,7 +88,7 @@ std::vector<output::GivenOption> Command::given() const {
 CommandDeclaration Command::declaration() const {
   CommandDeclaration out = declared_;
   for (const auto& each : commands_) {
-    if (!each->is_hidden()) out.commands.push_back(each->declaration());
+    if (!each->hidden) out.commands.push_back(each->declaration());
   }
   if (!program_) return out;
   CommandDeclaration help = names_below(out, out.name, help_command);
@@ -119,7 +119,7 @@ std::string Command::elsewhere(const std::string& word) const {
   std::vector<std::string> takers;
   for (const auto& each : commands_) {
     const auto named = [&](const OptionDeclaration& declared) { return declared.name() == option; };
-    if (!each->hidden_ && std::ranges::any_of(each->declared_.options, named))
+    if (!each->hidden && std::ranges::any_of(each->declared_.options, named))
       takers.push_back(fmt::format("`{}`", each->declared_.full_name));
   }
   constexpr std::size_t most = 3;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "command/options_declared.hpp"
-#include "output/file_use.hpp"
+#include "output/output_files.hpp"
 
 namespace CLI {
 class App;
@@ -29,7 +29,7 @@ class Command {
 
   // Adds a subcommand, which this command owns. A command with subcommands has no action of its own.
   Command& add(const std::string& name, const std::string& about);
-  void hide() { hidden_ = true; }                // leaves the command out of --help and advice: users do not type it
+  bool hidden = false;  // true: leaves the command out of --help and advice, because users do not type it
   void answer_version(const std::string& text);  // declares --version, which prints `text`
 
   // name: "--seed", "-o,--output", or "teams" for words without an option. type: the name of the value in --help. A
@@ -45,9 +45,8 @@ class Command {
     declared_.options.back().choices = std::move(choices);
   }
   void flag(const std::string& name, bool& into, const std::string& help);
-  void notes(const std::string& text) {
-    declared_.notes = text;
-  }  // sets the last part of --help, for example exit codes; form: see filled()
+  // Sets the last part of --help, for example exit codes; form: see filled().
+  void notes(const std::string& text) { declared_.notes = text; }
 
   // The action of the command. Returns an exit code. May throw exceptions, which explain_current_exception() explains.
   std::function<int()> run;
@@ -63,7 +62,6 @@ class Command {
 
   std::vector<output::GivenOption> given() const;
   CommandDeclaration declaration() const;  // of this command and its subcommands, without hidden subcommands
-  bool is_hidden() const { return hidden_; }
 
  private:
   Command(CLI::App& app, const Command& parent, const std::string& name, const std::string& about);
@@ -76,7 +74,6 @@ class Command {
   std::unique_ptr<CLI::App> program_;  // null in a subcommand
   CLI::App& app_;
   CommandDeclaration declared_;  // without the subcommands
-  bool hidden_ = false;
   std::vector<std::unique_ptr<Command>> commands_;
   std::vector<CLI::Option*> options_;  // same order as declared_.options
 };

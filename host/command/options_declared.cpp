@@ -149,14 +149,7 @@ void add_names(std::vector<std::string>& out, const CommandDeclaration& command)
 }
 
 // Escapes text for a zsh specification, whose separators are colons and brackets.
-std::string zsh_text(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == ':' || c == '[' || c == ']' || c == '\\') out += '\\';
-    out += c;
-  }
-  return out;
-}
+std::string zsh_text(std::string_view text) { return texts::with_backslashes(text, ":[]\\"); }
 
 std::string zsh_action(const Candidates& candidates) {
   if (!candidates.words.empty()) return fmt::format("({})", joined(candidates.words, " "));
@@ -253,9 +246,7 @@ std::vector<std::string> CommandDeclaration::option_names() const {
 }
 
 std::vector<std::string> CommandDeclaration::command_names() const {
-  std::vector<std::string> out;
-  for (const CommandDeclaration& each : commands) out.push_back(each.name);
-  return out;
+  return texts::names_of(commands, &CommandDeclaration::name);
 }
 
 const CommandDeclaration& named(const CommandDeclaration& program, const std::vector<std::string>& words) {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output/file_use.hpp"
+#include "output/output_files.hpp"
 
 namespace regista::command {
 

@@ -19,7 +19,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "config/node.hpp"
 #include "output/replaced_file.hpp"
 #include "plugin/fatal_signal.hpp"
 #include "texts/message.hpp"
@@ -59,6 +58,24 @@ void handle(int signal_number, void (*handler)(int), int flags = 0) {
   action.sa_flags = flags;
   sigemptyset(&action.sa_mask);
   sigaction(signal_number, &action, nullptr);
+}
+
+// Whether standard error shows colours. NO_COLOR: the convention of https://no-color.org.
+bool shows_colours() {
+  const char* const no_colour = std::getenv("NO_COLOR");
+  return can_rewrite() && (no_colour == nullptr || *no_colour == '\0');
+}
+
+// style: parameters of Select Graphic Rendition (ECMA-48), "1;31" is bold and red.
+void complain_in(const char* style, std::string_view message) {
+  const std::string line = texts::one_line(message);
+  say(shows_colours() ? fmt::format("\x1b[{}mregista:\x1b[0m {}\n", style, line) : fmt::format("regista: {}\n", line));
+}
+
+// Explains an error. Returns the exit code.
+int failed(std::string_view message, int exit_code) {
+  complain_in("1;31", message);
+  return exit_code;
 }
 
 }  // namespace
@@ -121,24 +138,6 @@ Interruption::~Interruption() {
 
 int Interruption::signal_number() const { return request; }
 
-namespace {
-
-// Whether standard error shows colours. NO_COLOR: the convention of https://no-color.org.
-bool shows_colours() {
-  const char* const no_colour = std::getenv("NO_COLOR");
-  return can_rewrite() && (no_colour == nullptr || *no_colour == '\0');
-}
-
-// style: parameters of Select Graphic Rendition (ECMA-48), "1;31" is bold and red.
-void complain_in(const char* style, std::string_view message) {
-  const std::string line = texts::one_line(message);
-  say(shows_colours() ? fmt::format("\x1b[{}mregista:\x1b[0m {}\n", style, line) : fmt::format("regista: {}\n", line));
-}
-
-void complain_of_error(std::string_view message) { complain_in("1;31", message); }
-
-}  // namespace
-
 void complain(std::string_view message) {
   complain_in(message.find(": warning: ") == std::string_view::npos ? "1" : "1;33", message);
 }
@@ -147,39 +146,30 @@ int explain_current_exception() {
   try {
     throw;
   } catch (const BadInput& error) {
-    complain_of_error(error.what());
-    return exit_bad_input;
+    return failed(error.what(), exit_bad_input);
   } catch (const config::Error& error) {
-    complain_of_error(error.what());
-    return exit_bad_input;
+    return failed(error.what(), exit_bad_input);
   } catch (const plugin::Failure& error) {
-    complain_of_error(error.what());
-    return exit_bad_input;
+    return failed(error.what(), exit_bad_input);
   } catch (const Interrupted& error) {
-    complain_of_error(error.what());
-    return exit_by_signal(error.signal_number);
+    return failed(error.what(), exit_by_signal(error.signal_number));
   } catch (const output::ReaderGone&) {
     return exit_by_signal(SIGPIPE);  // the reader closed the pipe on purpose, so no message
   } catch (const output::WriteError& error) {
-    complain_of_error(error.what());
-    return exit_no;
+    return failed(error.what(), exit_no);
   } catch (const std::filesystem::filesystem_error& error) {
     // Another program removed a folder while this program used the folder.
-    complain_of_error(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
-                                  error.code().message()));
-    return exit_bad_input;
+    return failed(fmt::format("{}{}: {}", error.path1().string(), error.path1().empty() ? "the working folder" : "",
+                              error.code().message()),
+                  exit_bad_input);
   } catch (const std::bad_alloc&) {
-    complain_of_error("there is not enough memory");
-    return exit_no;
+    return failed("there is not enough memory", exit_no);
   } catch (const std::system_error& error) {  // for example: the system's limit of open files is reached
-    complain_of_error(error.what());
-    return exit_no;
+    return failed(error.what(), exit_no);
   } catch (const std::exception& error) {
-    complain_of_error(fmt::format("internal error: {}", error.what()));
-    return exit_internal;
+    return failed(fmt::format("internal error: {}", error.what()), exit_internal);
   } catch (...) {
-    complain_of_error("internal error: something that is no exception was thrown");
-    return exit_internal;
+    return failed("internal error: something that is no exception was thrown", exit_internal);
   }
 }
 

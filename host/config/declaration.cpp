@@ -26,8 +26,8 @@ template <class Whole>
 static Field whole(std::string key, const Member<Whole>& member, Range range, std::string unit, std::string doc) {
   return {std::move(key), std::move(doc),
           Integer{[member] { return static_cast<std::int64_t>(member.get()); },
-                  [member](std::int64_t value) { member.get() = static_cast<Whole>(value); },
-                  [member] { return member.present(); }, range, std::move(unit)}};
+                  [member](std::int64_t value) { member.get() = static_cast<Whole>(value); }, member.present, range,
+                  std::move(unit)}};
 }
 Field integer(std::string key, Member<int> member, Range range, std::string unit, std::string doc) {
   return whole(std::move(key), member, range, std::move(unit), std::move(doc));
@@ -49,11 +49,7 @@ Field name(std::string key, Member<std::string> member, std::string doc) {
   return {std::move(key), std::move(doc), Name{std::move(member)}};
 }
 
-Field file(std::string key, Member<std::string> member, std::string doc) {
-  return {std::move(key), std::move(doc), File{std::move(member)}};
-}
-
-Field profile(std::string key, Member<std::string> member, std::string built_in, std::string doc) {
+Field file(std::string key, Member<std::string> member, std::string doc, std::string built_in) {
   return {std::move(key), std::move(doc), File{std::move(member), std::move(built_in)}};
 }
 

@@ -30,20 +30,16 @@ namespace regista::config {
 
 // Access to a member of a declared object. If the member is an empty std::optional, get() first creates a value in it.
 template <class T>
-class Member {
- public:
-  Member(T& value) : get_([&value]() -> T& { return value; }), present_([] { return true; }) {}
+struct Member {
+  std::function<T&()> get;
+  std::function<bool()> present;
+
+  Member(T& value) : get([&value]() -> T& { return value; }), present([] { return true; }) {}
   Member(std::optional<T>& value)
-      : get_([&value]() -> T& { return value ? *value : value.emplace(); }),
-        present_([&value] { return value.has_value(); }) {}
-  Member(std::function<T&()> get, std::function<bool()> present) : get_(std::move(get)), present_(std::move(present)) {}
-
-  T& get() const { return get_(); }
-  bool present() const { return present_(); }
-
- private:
-  std::function<T&()> get_;
-  std::function<bool()> present_;
+      : get([&value]() -> T& { return value ? *value : value.emplace(); }),
+        present([&value] { return value.has_value(); }) {}
+  Member(std::function<T&()> get_, std::function<bool()> present_)
+      : get(std::move(get_)), present(std::move(present_)) {}
 };
 
 struct Field;
@@ -104,9 +100,8 @@ struct Choice {
   std::function<void(std::size_t)> set;
 };
 
-// A list with exactly `count` numbers.
 struct Numbers {
-  std::size_t count;
+  std::size_t count;  // the list has exactly so many numbers
   std::function<std::vector<double*>()> get;
   std::function<bool()> present;
   Range range;
@@ -184,8 +179,7 @@ Field integer(std::string key, Member<int> member, Range range, std::string unit
 Field integer(std::string key, Member<std::int64_t> member, Range range, std::string unit, std::string doc);
 Field boolean(std::string key, Member<bool> member, std::string doc);
 Field name(std::string key, Member<std::string> member, std::string doc);
-Field file(std::string key, Member<std::string> member, std::string doc);
-Field profile(std::string key, Member<std::string> member, std::string built_in, std::string doc);
+Field file(std::string key, Member<std::string> member, std::string doc, std::string built_in = {});
 Field paths(std::string key, std::vector<NamedPath>& members, std::string doc);
 Field free(std::string key, Node& member, std::string definition, std::string doc);
 
@@ -211,8 +205,7 @@ Field numbers(std::string key, Array& array, Range range, std::string unit, std:
     return values;
   };
   constexpr std::size_t count = std::tuple_size_v<std::remove_reference_t<decltype(member.get())>>;
-  return {std::move(key), std::move(doc),
-          Numbers{count, get, [member] { return member.present(); }, range, std::move(unit), ascending}};
+  return {std::move(key), std::move(doc), Numbers{count, get, member.present, range, std::move(unit), ascending}};
 }
 
 // A list [least, largest] that fills two members.
@@ -222,8 +215,7 @@ Field bounds(std::string key, double& least, double& largest, Range range, std::
 template <class Object>
 Field section(std::string key, Object& object, std::string doc) {
   const Member member(object);
-  return {std::move(key), std::move(doc),
-          Section{[member] { return declare(member.get()); }, [member] { return member.present(); }}};
+  return {std::move(key), std::move(doc), Section{[member] { return declare(member.get()); }, member.present}};
 }
 
 // A list of maps, one for each element of `members`. The function declare(T&) must be in the namespace of T.
@@ -236,8 +228,8 @@ Field list(std::string key, std::vector<T>& members, std::size_t least, std::siz
 }
 
 // A map from names to values. Each element of `members` is one entry: T::name is the name, field_of() gives the value.
-template <class T>
-Field dictionary(std::string key, std::vector<T>& members, Field (*field_of)(T&), std::size_t least, std::size_t most,
+template <class T, class FieldOf>
+Field dictionary(std::string key, std::vector<T>& members, FieldOf field_of, std::size_t least, std::size_t most,
                  std::string doc) {
   return {std::move(key), std::move(doc),
           Dictionary{[&members] { return members.size(); }, [&members] { members.clear(); },

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <string_view>
 
-#include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"
 #include "config/team.hpp"
@@ -86,21 +85,21 @@ Own own(std::string definition, Value& value, Value (*to_value)(const Node&, con
 struct Value {
   std::string_view key;
   std::optional<double> Incident::*member;
-  std::vector<Kind> of;      // kinds that have the value
-  std::vector<Kind> needed;  // kinds that require the value
+  std::vector<Kind> of;  // kinds that have the value
+  bool needed;           // whether these kinds require the value
 };
 
 const std::vector<Value>& values() {
   static const std::vector<Value> all{
-      {"x", &Incident::x, {Kind::pose_bias, Kind::ghost_ball}, {}},
-      {"y", &Incident::y, {Kind::pose_bias, Kind::ghost_ball}, {}},
-      {"heading_deg", &Incident::heading, {Kind::pose_bias}, {}},
-      {"delay", &Incident::delay, {Kind::radio_delay}, {Kind::radio_delay}},
-      {"jitter", &Incident::jitter, {Kind::radio_jitter}, {Kind::radio_jitter}},
-      {"mean_good", &Incident::mean_good, {Kind::burst_loss}, {}},
-      {"mean_bad", &Incident::mean_bad, {Kind::burst_loss}, {}},
-      {"loss", &Incident::loss, {Kind::burst_loss}, {}},
-      {"speed", &Incident::speed, {Kind::slow_robot}, {Kind::slow_robot}},
+      {"x", &Incident::x, {Kind::pose_bias, Kind::ghost_ball}, false},
+      {"y", &Incident::y, {Kind::pose_bias, Kind::ghost_ball}, false},
+      {"heading_deg", &Incident::heading, {Kind::pose_bias}, false},
+      {"delay", &Incident::delay, {Kind::radio_delay}, true},
+      {"jitter", &Incident::jitter, {Kind::radio_jitter}, true},
+      {"mean_good", &Incident::mean_good, {Kind::burst_loss}, false},
+      {"mean_bad", &Incident::mean_bad, {Kind::burst_loss}, false},
+      {"loss", &Incident::loss, {Kind::burst_loss}, false},
+      {"speed", &Incident::speed, {Kind::slow_robot}, true},
   };
   return all;
 }
@@ -205,7 +204,7 @@ void check(const Disturbance& disturbance, const Node& document, Mistakes& mista
               "{}.{}: makes no sense for {}, whose values are: {}", named, value.key, kind,
               known.empty() ? "none of its own" : texts::join(known));
       }
-      if (!there && among(value.needed, incident.kind)) {
+      if (!there && value.needed && among(value.of, incident.kind)) {
         lacks(value.key, fmt::format("missing key \"{}\" in {}", value.key, named));
       }
     }

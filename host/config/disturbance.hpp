@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "config/errors.hpp"
-#include "config/node.hpp"
 #include "config/rules.hpp"
 
 namespace regista::config {
@@ -76,11 +74,12 @@ struct Disturbance {
 
 const std::vector<std::string>& incident_kinds();
 
-// Largest number of ghost_ball incidents that may affect the same robot.
-inline constexpr int most_ghost_balls = 8;
+inline constexpr int most_ghost_balls = 8;  // largest number of ghost_ball incidents that may affect the same robot
 
 // Returns the path of an incident for `--set` and messages: "incidents.flip", or "incidents.0" if it has no name.
 std::string path_of(const Disturbance& disturbance, std::size_t incident);
+
+Map declare(Disturbance& disturbance);
 
 // Reports incident values that are missing or that do not fit the kind of the incident.
 void check(const Disturbance& disturbance, const Node& document, Mistakes& mistakes);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 
-#include "config/reference.hpp"
 #include "config/team_document.hpp"
 #include "texts/message.hpp"
 
@@ -56,11 +55,6 @@ Node replaced(const Node& document, const Override& option) {
   if (before && removes && before.where().is_laid()) return document;
   const Node without = before ? with(document, option.path, Node::null(option.where), option.where) : document;
   return removes ? without : with(without, option.path, option.value, option.where);
-}
-
-std::string with_article(const DocumentKind& kind) {
-  const bool vowel = std::string_view("aeiou").find(kind.name.front()) != std::string_view::npos;
-  return fmt::format("{} {}", vowel ? "an" : "a", kind.name);
 }
 
 }  // namespace
@@ -121,16 +115,9 @@ const DocumentKind& kind_of(const Node& document) {
 void require_kind(const Node& document, const DocumentKind& kind) {
   const bool known = std::ranges::find(document_kinds(), kind) != document_kinds().end();
   if (known ? kind_of(document) == kind : static_cast<bool>(document[kind.name])) return;
-  throw Error(document.where(), fmt::format("this is {} document; expected {} document",
-                                            with_article(kind_of(document)), with_article(kind)));
-}
-
-const DocumentKind& check(const std::filesystem::path& file, const Overrides& overrides) {
-  const Node document = load(file, overrides);
-  const DocumentKind& kind = kind_of(document);
-  Mistakes first(Mistakes::After::stop);
-  kind.with_values(document, first, [](const Map&) {});
-  return kind;
+  throw Error(document.where(),
+              fmt::format("this is {} document; expected {} document", texts::with_article(kind_of(document).name),
+                          texts::with_article(kind.name)));
 }
 
 std::string show(const Node& document, const DocumentKind& kind, std::span<const PluginDeclaration> plugins,
@@ -143,11 +130,6 @@ std::string show(const Node& document, const DocumentKind& kind, std::span<const
 
 std::string show(const Node& document, std::span<const PluginDeclaration> plugins, Remarks remarks) {
   return show(document, kind_of(document), plugins, remarks);
-}
-
-std::string show(const std::filesystem::path& file, const Overrides& overrides,
-                 std::span<const PluginDeclaration> plugins) {
-  return show(load(file, overrides), plugins);
 }
 
 Node requested(const StudyRequest& request, const DocumentKind& kind) {
@@ -168,13 +150,6 @@ Node requested(const StudyRequest& request, const DocumentKind& kind) {
     }
   });
   return document;
-}
-
-std::string schema(const DocumentKind& kind, std::span<const PluginDeclaration> plugins) {
-  std::string out;
-  kind.with_defaults(
-      [&](const Map& declared) { out = schema(declared, fmt::format("Regista {}", kind.name), plugins); });
-  return out;
 }
 
 }  // namespace regista::config

@@ -18,7 +18,6 @@
 #include "config/opening.hpp"
 #include "config/overlay.hpp"
 #include "config/predictor_study.hpp"
-#include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/robot.hpp"
 #include "config/rules.hpp"
@@ -101,17 +100,12 @@ std::span<const DocumentKind> document_kinds();
 // Returns the kind of a document. Throws Error at the document if it has none of the keys that name a kind.
 const DocumentKind& kind_of(const Node& document);
 
-// Reads and checks a document of any kind, and returns the kind. Throws Error at the first mistake.
-const DocumentKind& check(const std::filesystem::path& file, const Overrides& overrides = {});
-
 // Returns the document as YAML: every value in force, also defaults, with unit, meaning and origin. Reading this text
 // gives the same values. Parameters of a plugin that is not in `plugins` appear as written. Throws Error at a mistake.
 std::string show(const Node& document, const DocumentKind& kind, std::span<const PluginDeclaration> plugins,
                  Remarks remarks);
 std::string show(const Node& document, std::span<const PluginDeclaration> plugins = {},
                  Remarks remarks = Remarks::with);
-std::string show(const std::filesystem::path& file, const Overrides& overrides = {},
-                 std::span<const PluginDeclaration> plugins = {});
 
 // A study that a command line requests: a document, and the values that options and `--set` change in it.
 struct StudyRequest {
@@ -122,11 +116,14 @@ struct StudyRequest {
   // documents of the matches. It is then added to the map `set` of the study.
   std::vector<std::string> set;
 };
-// Returns the study's document with all requested changes.
 Node requested(const StudyRequest& request, const DocumentKind& kind);
 
 // Returns the JSON Schema (draft 2020-12) of a kind of document, for editors. The schema accepts only the given plugins
 // and their parameters; with an empty list it accepts all plugins. A document with `extends` may lack any key.
 std::string schema(const DocumentKind& kind, std::span<const PluginDeclaration> plugins = {});
+
+// Returns a Markdown page with values, default and meaning of each key of these kinds of documents, in this order. The
+// page also explains the syntax of values.
+std::string reference_text(std::span<const DocumentKind> kinds);
 
 }  // namespace regista::config

@@ -64,29 +64,25 @@ Field pairs(std::string key, std::vector<Node>& pairs, std::string doc) {
   return {std::move(key), std::move(doc), Own{"pairs", read_pairs, [&pairs] { return list_of(pairs); }}};
 }
 
-void require_arm(const Experiment& experiment, const Node& name) {
-  const std::vector<std::string> known = texts::names_of(experiment.arms, &Experiment::Arm::name);
-  if (std::ranges::find(known, name.text()) != known.end()) return;
-  throw Error(name.where(), "primary.compare: " + texts::unknown("arm", name.text(), "", known));
-}
-
 void check_compared(const Experiment& experiment, Mistakes& mistakes) {
   constexpr std::string_view path = "primary.compare";
+  const std::vector<std::string> known = texts::names_of(experiment.arms, &Experiment::Arm::name);
   const std::vector<Node>& compared = experiment.primary->compare;
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const Node& pair = compared[i];
     if (!mistakes.doubtful("arms")) {
-      for (const Node& arm : pair.elements()) mistakes.attempt(path, [&] { require_arm(experiment, arm); });
+      for (const Node& arm : pair.elements()) {
+        if (std::ranges::find(known, arm.text()) != known.end()) continue;
+        mistakes.add(Error(arm.where(), "primary.compare: " + texts::unknown("arm", arm.text(), "", known)), path);
+      }
     }
     if (pair.elements()[0].text() == pair.elements()[1].text()) {
       mistakes.add(Error(pair.where(), "primary.compare: an arm is compared with itself"), path);
       continue;
     }
-    const bool second_time =
-        std::any_of(compared.begin(), compared.begin() + static_cast<std::ptrdiff_t>(i),
-                    [arms = pair.elements()](const Node& other) {
-                      return std::ranges::is_permutation(arms, other.elements(), {}, &Node::text, &Node::text);
-                    });
+    const bool second_time = std::ranges::any_of(std::span(compared).first(i), [&](const Node& other) {
+      return std::ranges::is_permutation(pair.elements(), other.elements(), {}, &Node::text, &Node::text);
+    });
     if (second_time) mistakes.add(Error(pair.where(), "primary.compare: the same two arms a second time"), path);
   }
 }
@@ -104,19 +100,17 @@ static Map declare(Experiment::Arm& arm) {
 
 static Map declare(Experiment::Sweep& sweep) {
   return {{
-              required(line("path", sweep.path, "of the value that is varied")),
-              required(values("values", sweep.values, "that it takes, each with every arm")),
-          },
-          &sweep.where};
+      required(line("path", sweep.path, "of the value that is varied")),
+      required(values("values", sweep.values, "that it takes, each with every arm")),
+  }};
 }
 
-static Map declare(Experiment::Primary& primary) {
+static Map declare(ExperimentPrimary& primary) {
   return {{
-              required(line("measure", primary.measure, "number of a match that the test is about")),
-              pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
-              choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
-          },
-          &primary.where};
+      required(line("measure", primary.measure, "number of a match that the test is about")),
+      pairs("compare", primary.compare, "arms, two by two; without it every two of them"),
+      choice("test", primary.test, {"paired_t", "sign_flip"}, "of the differences, seed by seed"),
+  }};
 }
 
 Map declare(Experiment& experiment) {
@@ -134,8 +128,8 @@ Map declare(Experiment& experiment) {
                       "for each arm, an even number: half at home, half away"),
               integer("seed", experiment.seed, {0, largest_seed}, "1",
                       "of the pairs of matches; the same seed plays the same"),
-              profile("disturbance", experiment.disturbance, "none", "of the arm's team; `none` is built in"),
-              profile("opponent_disturbance", experiment.opponent_disturbance, "none", "of the opponent"),
+              file("disturbance", experiment.disturbance, "of the arm's team; `none` is built in", "none"),
+              file("opponent_disturbance", experiment.opponent_disturbance, "of the opponent", "none"),
               section("sweep", experiment.sweep, "a value that is varied"),
               lines("measures", experiment.measures, "numbers of a match that are shown; without it the usual ones"),
               section("primary", experiment.primary, "what is tested"),

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The values of an experiment document: teams to compare ("arms"), one opponent for all arms, the amount of play, the
-// measures, and the statistical test. This file only holds values; it opens no files and plays no matches. The study
-// follows section 4 of Affinita et al., "Multi-Agent Coordination for a Partially Observable and Dynamic Robot
-// Soccer Environment with Limited Communication", 2023: 60 minutes of play for each arm.
+// measures, and the statistical test. The study follows section 4 of Affinita et al., "Multi-Agent Coordination for a
+// Partially Observable and Dynamic Robot Soccer Environment with Limited Communication", 2023: 60 minutes per arm.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +24,6 @@ struct ExperimentPrimary {
   std::string measure;
   std::vector<Node> compare;  // each element is a list of two arm names; empty: every pair of arms
   PairedTest test = PairedTest::sign_flip;
-  Location where;
 };
 
 struct Experiment {
@@ -40,10 +38,7 @@ struct Experiment {
   struct Sweep {
     std::string path;
     std::vector<Node> values;
-    Location where;
   };
-
-  using Primary = ExperimentPrimary;
 
   std::string name, question;
   std::vector<Arm> arms;
@@ -54,14 +49,12 @@ struct Experiment {
   std::string disturbance, opponent_disturbance;  // files for the arm's team and for the opponent; empty: none
   std::optional<Sweep> sweep;
   std::vector<Node> measures;  // paths of numbers in the result of a match; empty: the default measures
-  std::optional<Primary> primary;
+  std::optional<ExperimentPrimary> primary;
   double confidence = 0.95;
   MatchSettings settings;
 };
 
 Map declare(Experiment& experiment);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const Experiment& experiment, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

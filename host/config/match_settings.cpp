@@ -20,8 +20,8 @@ static Map declare(MatchLimits& limits) {
 
 std::vector<Field> fields_of(MatchSettings& settings, std::string set) {
   return {
-      profile("rules", settings.rules, "spl2023", "rules profile; `spl2023` is built in"),
-      profile("robot", settings.robot, "nao", "robot profile of all; `nao` is built in"),
+      file("rules", settings.rules, "rules profile; `spl2023` is built in", "spl2023"),
+      file("robot", settings.robot, "robot profile of all; `nao` is built in", "nao"),
       paths("openings", settings.openings, "scenes that matches start from: files, or folders of them"),
       real("limit", settings.limit, {0.1, 1e6}, "s", "after which each match ends"),
       free("set", settings.set, "settings", std::move(set)),

@@ -93,14 +93,10 @@ bool same(const Node& a, const Node& b) {
          });
 }
 
-namespace {
-
-bool plain(char c) {
+static bool plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' ||
          c == '+' || c == '-';
 }
-
-}  // namespace
 
 std::string flow_text(std::string_view text, bool quoted) {
   const bool readable = !text.empty() && std::all_of(text.begin(), text.end(), plain);

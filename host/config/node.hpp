@@ -54,7 +54,6 @@ struct Node::Entry {
   Node value;
 };
 
-// Returns a sequence with the node written(thing) for each thing.
 template <class Things, class Write>
 Node sequence_of(const Things& things, Write written) {
   std::vector<Node> elements;

@@ -19,7 +19,6 @@ double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0],
 
 std::string text(const Point& point) { return fmt::format("({}, {})", point[0], point[1]); }
 
-// Formats a computed length for a message.
 std::string rounded(double value) { return fmt::format("{:.4g}", value); }
 
 // Returns the distance from `point` to the nearest part of either goal: the posts, and the sides and back of the net.

@@ -16,13 +16,40 @@
 
 #include "config/parse.hpp"
 #include "config/scalar.hpp"
-#include "config/shipped.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
 namespace {
 
 namespace fs = std::filesystem;
+
+// The folders of shipped documents. If two folders have a document of the same name, shipped() takes the first folder.
+constexpr std::array folders{"teams", "teams/league", "rules", "robots", "disturbances", "openings", "studies"};
+
+fs::path root() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  return program.empty() ? program : (program.parent_path() / "../share/regista/configs").lexically_normal();
+}
+
+bool is_name(const fs::path& path) {
+  const std::string text = path.string();
+  return !text.empty() && text.find_first_of("./") == std::string::npos;
+}
+
+// Returns the path of the shipped document NAME.yaml, or of the shipped folder of documents NAME ("openings"). The path
+// is empty if no shipped document or folder has this name.
+fs::path shipped(const std::string& name) {
+  const fs::path configs = root();
+  if (configs.empty() || !is_name(name)) return {};
+  std::error_code none;
+  for (const char* const folder : folders) {
+    const fs::path file = configs / folder / (name + ".yaml");
+    if (fs::is_regular_file(file, none)) return file;
+  }
+  const fs::path folder = configs / name;
+  return fs::is_directory(folder, none) ? folder : fs::path();
+}
 
 constexpr std::size_t longest_chain = 16;
 
@@ -55,12 +82,6 @@ Node load_over(const fs::path& file, const Location& asked_by, Chain& chain) {
 
 using Entries = std::vector<Node::Entry>;
 
-// Returns whether `base` and `over` name two different plugins.
-bool names_another_plugin(const Node& base, const Node& over) {
-  const Node before = base["plugin"], after = over["plugin"];
-  return before && after && before.text() != after.text();
-}
-
 // Returns whether the sequence is a list of maps that all have names.
 bool has_names(const Node& sequence) {
   const std::span<const Node> elements = sequence.elements();
@@ -76,8 +97,12 @@ std::vector<std::string> names_of(std::span<const Node> elements) {
   return names;
 }
 
+// Returns the index of the element with this name; the number of elements if there is none.
 std::size_t index_of(std::span<const Node> elements, std::string_view name) {
-  const auto found = std::ranges::find_if(elements, [&](const Node& each) { return each["name"].text() == name; });
+  const auto found = std::ranges::find_if(elements, [&](const Node& each) {
+    const Node own = each["name"];
+    return own && own.text() == name;
+  });
   return static_cast<std::size_t>(found - elements.begin());
 }
 
@@ -142,12 +167,6 @@ void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
   insert(elements, entry.value, std::move(merged));
 }
 
-Node merge_by_name(const Node& base, const Node& over) {
-  std::vector<Node> elements(base.elements().begin(), base.elements().end());
-  for (const Node::Entry& entry : over.entries()) merge_element(elements, entry);
-  return Node::sequence(std::move(elements), over.where());
-}
-
 // Returns the path up to the beginning of `rest`, for error messages.
 std::string_view walked(std::string_view path, std::string_view rest) {
   std::string_view part = path.substr(0, path.size() - rest.size());
@@ -172,12 +191,8 @@ std::string_view first_key(const Node& map, std::string_view path) {
 // Returns the index of the list element that a part of a path addresses: by its name, otherwise by its index. The index
 // may be out of range. Returns nothing for a part that is neither a known name nor a number.
 std::optional<std::size_t> element_meant(const Node& sequence, std::string_view name) {
-  const std::span<const Node> elements = sequence.elements();
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const Node own = elements[i]["name"];
-    if (own && own.text() == name) return i;
-  }
-  std::size_t index = 0;
+  std::size_t index = index_of(sequence.elements(), name);
+  if (index < sequence.elements().size()) return index;
   const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
   const bool number = error == std::errc{} && end == name.data() + name.size();
   return number ? std::optional(index) : std::nullopt;
@@ -238,104 +253,30 @@ struct Overlay {
   }
 };
 
-}  // namespace
-
-Node load(const fs::path& file, const Overrides& overrides) {
-  Chain chain;
-  return override_with(load_over(own_or_shipped(file), {}, chain), overrides);
-}
-
-Override::Override(const std::string& typed) : where{"--set " + typed, 0, 0} {
-  const std::size_t equals = typed.find('=');
-  if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
-  if (equals + 1 == typed.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
-  path = typed.substr(0, equals);
-  value = parse_value(std::string_view(typed).substr(equals + 1), where);
-}
-
-Overrides typed_overrides(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
-
-std::string to_string(const Override& override) { return fmt::format("{}={}", override.path, flow(override.value)); }
-
-Node override_with(Node document, const Overrides& overrides) {
-  for (const Override& each : overrides) document = with(document, each.path, each.value, each.where);
-  return document;
-}
-
-Node merge(const Node& base, const Node& over) {
-  if (base.kind() == Node::Kind::sequence && over.kind() == Node::Kind::map && has_names(base))
-    return merge_by_name(base, over);
-  if (base.kind() != Node::Kind::map || over.kind() != Node::Kind::map) return over;
-  const bool other_plugin = names_another_plugin(base, over);
-  Entries entries;
-  std::map<std::string_view, std::size_t> places;  // key of base -> index in entries
-  for (const Node::Entry& entry : base.entries()) {
-    if (over[entry.key].kind() == Node::Kind::null) continue;
-    if (other_plugin && (entry.key == "params" || entry.key == "file")) continue;
-    places.emplace(entry.key, entries.size());
-    entries.push_back(entry);
-  }
-  for (const Node::Entry& entry : over.entries()) {
-    if (entry.value.kind() == Node::Kind::null) {
-      if (base[entry.key]) continue;
-      throw Error(entry.key_where,
-                  "nothing to remove: " +
-                      texts::unknown("key", entry.key, "", texts::names_of(base.entries(), &Node::Entry::key)));
-    }
-    const auto place = places.find(entry.key);
-    if (place == places.end()) {
-      entries.push_back(entry);
-    } else {
-      Node::Entry& below = entries[place->second];
-      below = {entry.key, entry.key_where, merge(below.value, entry.value)};
-    }
-  }
-  return Node::map(std::move(entries), over.where());
-}
-
-Node with(const Node& document, std::string_view path, const Node& value, const Location& where) {
-  return Overlay{path, value, where}.lay(document, path);
-}
-
-Node value_at(const Node& document, std::string_view path) {
-  if (path.empty()) return document;
-  const bool map = document.kind() == Node::Kind::map;
-  const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
-  if (first.size() + 1 == path.size()) return {};  // the path ends in a dot
-  const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
-  if (map) return value_at(document[first], rest);
-  const std::optional<std::size_t> meant = element_meant(document, first);
-  return meant && *meant < document.elements().size() ? value_at(document.elements()[*meant], rest) : Node();
-}
-
-namespace {
-
-namespace fs = std::filesystem;
-
-// Returns whether a user who wrote `asked` may have meant the file `there`. Ignores the endings of the file names.
-bool alike(const fs::path& asked, const fs::path& there) {
-  const std::string stem = asked.stem().string(), other = there.stem().string();
-  return stem == other || !texts::nearest(stem, {&other, 1}).empty();
-}
-
 // Returns `; nearest: "b.yaml"` if the folder has a file with a similar name; otherwise an empty text.
 std::string neighbour(const fs::path& file) {
   constexpr std::size_t most = 1000;
+  const std::string asked = file.filename().string(), name = file.stem().string();
   std::vector<std::string> names;
   std::error_code failed;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   std::size_t seen = 0;
   for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && seen < most;
        entry.increment(failed), ++seen) {
-    if (alike(file, entry->path())) names.push_back(entry->path().filename().string());
+    const std::string other = entry->path().stem().string();
+    if (other == name || !texts::nearest(name, {&other, 1}).empty()) names.push_back(entry->path().filename().string());
   }
-  const std::string asked = file.filename().string(), name = file.stem().string();
   if (failed && file.has_parent_path()) {
     const std::string known =
         shipped(name).empty() ? "" : fmt::format("; shipped documents go by their names: {}", name);
     return fmt::format("; there is no folder {}{}", folder.string(), known);
   }
-  if (asked == name) std::ranges::move(shipped_names(), std::back_inserter(names));
+  for (const char* const each : folders) {
+    if (asked != name) break;  // a name with an ending is no name of a shipped document
+    for (fs::directory_iterator entry(root() / each, failed), end; !failed && entry != end; entry.increment(failed)) {
+      if (entry->path().extension() == ".yaml") names.push_back(entry->path().stem().string());
+    }
+  }
   std::ranges::sort(names);
   const std::string_view near = texts::nearest(asked, names);
   return near.empty() || near == asked ? "" : fmt::format("; nearest: {}", texts::in_quotes(near));
@@ -408,6 +349,85 @@ class Search {
 };
 
 }  // namespace
+
+Node load(const fs::path& file, const Overrides& overrides) {
+  Chain chain;
+  return override_with(load_over(own_or_shipped(file), {}, chain), overrides);
+}
+
+Override::Override(const std::string& typed) : where{"--set " + typed, 0, 0} {
+  const std::size_t equals = typed.find('=');
+  if (equals == std::string::npos || equals == 0) throw Error(where, "expected path=value");
+  if (equals + 1 == typed.size()) throw Error(where, "expected a value; ~ takes an entry away, '' is an empty text");
+  path = typed.substr(0, equals);
+  value = parse_value(std::string_view(typed).substr(equals + 1), where);
+}
+
+Overrides typed_overrides(const std::vector<std::string>& texts) { return {texts.begin(), texts.end()}; }
+
+std::string to_string(const Override& override) { return fmt::format("{}={}", override.path, flow(override.value)); }
+
+Node override_with(Node document, const Overrides& overrides) {
+  for (const Override& each : overrides) document = with(document, each.path, each.value, each.where);
+  return document;
+}
+
+Node merge(const Node& base, const Node& over) {
+  if (base.kind() == Node::Kind::sequence && over.kind() == Node::Kind::map && has_names(base)) {
+    std::vector<Node> elements(base.elements().begin(), base.elements().end());
+    for (const Node::Entry& entry : over.entries()) merge_element(elements, entry);
+    return Node::sequence(std::move(elements), over.where());
+  }
+  if (base.kind() != Node::Kind::map || over.kind() != Node::Kind::map) return over;
+  const Node before = base["plugin"], after = over["plugin"];
+  const bool other_plugin = before && after && before.text() != after.text();
+  Entries entries;
+  std::map<std::string_view, std::size_t> places;  // key of base -> index in entries
+  for (const Node::Entry& entry : base.entries()) {
+    if (over[entry.key].kind() == Node::Kind::null) continue;
+    if (other_plugin && (entry.key == "params" || entry.key == "file")) continue;
+    places.emplace(entry.key, entries.size());
+    entries.push_back(entry);
+  }
+  for (const Node::Entry& entry : over.entries()) {
+    if (entry.value.kind() == Node::Kind::null) {
+      if (base[entry.key]) continue;
+      throw Error(entry.key_where,
+                  "nothing to remove: " +
+                      texts::unknown("key", entry.key, "", texts::names_of(base.entries(), &Node::Entry::key)));
+    }
+    const auto place = places.find(entry.key);
+    if (place == places.end()) {
+      entries.push_back(entry);
+    } else {
+      Node::Entry& below = entries[place->second];
+      below = {entry.key, entry.key_where, merge(below.value, entry.value)};
+    }
+  }
+  return Node::map(std::move(entries), over.where());
+}
+
+Node with(const Node& document, std::string_view path, const Node& value, const Location& where) {
+  return Overlay{path, value, where}.lay(document, path);
+}
+
+Node value_at(const Node& document, std::string_view path) {
+  if (path.empty()) return document;
+  const bool map = document.kind() == Node::Kind::map;
+  const std::string_view first = map ? first_key(document, path) : path.substr(0, path.find('.'));
+  if (first.size() + 1 == path.size()) return {};  // the path ends in a dot
+  const std::string_view rest = path.substr(std::min(path.size(), first.size() + 1));
+  if (map) return value_at(document[first], rest);
+  const std::optional<std::size_t> meant = element_meant(document, first);
+  return meant && *meant < document.elements().size() ? value_at(document.elements()[*meant], rest) : Node();
+}
+
+fs::path own_or_shipped(const fs::path& path, const fs::path& written) {
+  std::error_code none;
+  if (!is_name(written) || fs::exists(path, none)) return path;
+  const fs::path found = shipped(written.string());
+  return found.empty() ? path : found;
+}
 
 std::string read_file(const fs::path& file, const Location& asked_by, std::string_view expected) {
   const bool asked = !asked_by.file.empty();

@@ -28,18 +28,16 @@ struct Override {
   Override(const char* typed) : Override(std::string(typed)) {}
 };
 
-// Overrides in the order in which they are laid over a document.
-using Overrides = std::vector<Override>;
+using Overrides = std::vector<Override>;  // in the order in which they are laid over a document
 
 Overrides typed_overrides(const std::vector<std::string>& texts);
 std::string to_string(const Override& override);  // "path=value"
 
 // Reads a document and lays the overrides over it. A document with the key `extends: FILE` is first laid over FILE,
 // which may extend another file. A relative FILE begins at the folder of the document that names it. `file` and FILE
-// may also be the name of a shipped document (shipped.hpp). Every value keeps its Location in its file or override.
+// may also be the name of a shipped document. Every value keeps its Location in its file or override.
 Node load(const std::filesystem::path& file, const Overrides& overrides = {});
 
-// Lays the overrides over a document in memory and returns the result.
 Node override_with(Node document, const Overrides& overrides);
 
 // Lays `over` over `base`. Maps are merged key by key. Any other value replaces the value of `base`; null removes the
@@ -60,6 +58,12 @@ Node value_at(const Node& document, std::string_view path);
 
 // --- Functions that find and read the files that documents name. The Error for a missing file says where the file's
 // name is written and which similar file exists. named_files() finds all files that a document needs.
+
+// Returns the path of the shipped document that is called `written`: a document that comes with the program, in its
+// folder share/regista/configs. Returns `path` if the file `path` exists, if `written` contains a dot or a slash, or if
+// no shipped document has this name. `path` is `written` with its folder.
+std::filesystem::path own_or_shipped(const std::filesystem::path& path, const std::filesystem::path& written);
+inline std::filesystem::path own_or_shipped(const std::filesystem::path& path) { return own_or_shipped(path, path); }
 
 // Returns the whole content of a regular file of at most `largest_file` bytes. Throws Error at `asked_by` (default: at
 // the file) if the file does not exist, is too large, is unreadable, or is not a regular file. `expected` describes the

@@ -20,28 +20,24 @@
 namespace regista::config {
 namespace {
 
-// A reason why a file cannot be read as YAML. A file must be UTF-8 text without byte order mark or control characters,
-// indented by spaces. yaml-cpp misreads other bytes without an error (0x04 ends its input).
-struct EncodingFlaw {
-  int line, column;  // count from 1
-  std::string message;
-};
-
-// Returns the first invalid byte, if any.
-std::optional<EncodingFlaw> encoding_flaw(std::string_view text) {
+// Throws Error at the first byte that a file must not have: a file is UTF-8 text without byte order mark or control
+// characters, indented by spaces. yaml-cpp misreads other bytes without an error (0x04 ends its input). place(line,
+// column) returns the Location of a byte; line and column count from 1.
+template <class Place>
+void check_encoding(std::string_view text, Place place) {
   constexpr std::size_t longest_line = 65536;  // bytes; yaml-cpp may look ahead to the end of a line
   if (text.starts_with("\xef\xbb\xbf")) {
-    return EncodingFlaw{1, 1, "begins with a byte order mark; save it as UTF-8 without one"};
+    throw Error(place(1, 1), "begins with a byte order mark; save it as UTF-8 without one");
   }
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff")) {
-    return EncodingFlaw{1, 1, "is UTF-16 text; save it as UTF-8"};
+    throw Error(place(1, 1), "is UTF-16 text; save it as UTF-8");
   }
   int line = 1;
   std::size_t line_start = 0;
   bool indenting = true;
   for (std::size_t i = 0; i < text.size();) {
-    const auto flaw = [&](std::string message) {
-      return EncodingFlaw{line, static_cast<int>(i - line_start) + 1, std::move(message)};
+    const auto flaw = [&](const std::string& message) {
+      return Error(place(line, static_cast<int>(i - line_start) + 1), message);
     };
     const auto byte = static_cast<unsigned char>(text[i]);
     if (byte == '\n') {
@@ -50,18 +46,17 @@ std::optional<EncodingFlaw> encoding_flaw(std::string_view text) {
       indenting = true;
       continue;
     }
-    if (i - line_start >= longest_line) return flaw(fmt::format("line is longer than {} bytes", longest_line));
-    if (byte == '\t' && indenting) return flaw("tab in the indentation; use spaces");
-    if (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) return flaw("carriage return inside a line");
+    if (i - line_start >= longest_line) throw flaw(fmt::format("line is longer than {} bytes", longest_line));
+    if (byte == '\t' && indenting) throw flaw("tab in the indentation; use spaces");
+    if (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n')) throw flaw("carriage return inside a line");
     if ((byte < 0x20 && byte != '\t' && byte != '\r') || byte == 0x7f) {
-      return flaw(fmt::format("byte 0x{:02x} is not text; is this a binary file?", byte));
+      throw flaw(fmt::format("byte 0x{:02x} is not text; is this a binary file?", byte));
     }
     if (byte != ' ') indenting = false;
     const std::size_t length = texts::first_character(text.substr(i)).bytes;
-    if (length == 0) return flaw(fmt::format("byte 0x{:02x} is not UTF-8", byte));
+    if (length == 0) throw flaw(fmt::format("byte 0x{:02x} is not UTF-8", byte));
     i += length;
   }
-  return std::nullopt;
 }
 
 // The number of nodes and the depth of nesting of a value, including the value itself.
@@ -372,7 +367,7 @@ Node parse(const std::filesystem::path& file, const Location& asked_by) {
 
 Node parse_text(std::string_view text, const std::string& name) {
   if (text.size() > largest_file) throw Error({name}, fmt::format("larger than {} bytes", largest_file));
-  if (const auto flaw = encoding_flaw(text)) throw Error({name, flaw->line, flaw->column}, flaw->message);
+  check_encoding(text, [&name](int line, int column) { return Location{name, line, column}; });
   Node document = build(text, {name}, false);
   if (!document) throw Error({name}, "is empty");
   if (document.kind() == Node::Kind::null) throw Error(document.where(), "is empty");
@@ -382,7 +377,7 @@ Node parse_text(std::string_view text, const std::string& name) {
 }
 
 Node parse_value(std::string_view text, const Location& where) {
-  if (const auto flaw = encoding_flaw(text)) throw Error(where, flaw->message);
+  check_encoding(text, [&where](int, int) { return where; });
   Node value = build(text, where, true);
   return value ? value : Node::null(where);
 }

@@ -65,8 +65,6 @@ struct PredictorStudy {
 };
 
 Map declare(PredictorStudy& study);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const PredictorStudy& study, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

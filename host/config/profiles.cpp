@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "config/profiles.hpp"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <tuple>
 
 #include "config/read.hpp"
+#include "config/robot.hpp"
+#include "config/rules.hpp"
 
 namespace regista::config {
 static Map declare(FieldSize& field) {

@@ -2,6 +2,7 @@
 #include "config/read.hpp"
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <system_error>
 
@@ -37,10 +38,9 @@ struct Reader {
   }
 
   void operator()(const Paths& paths) const {
-    const std::vector<Node> one{node};
     const bool is_list = node.kind() != Node::Kind::scalar;
     paths.members->clear();
-    for (const Node& each : is_list ? elements_of(node, what, "a list of paths") : std::span<const Node>(one)) {
+    for (const Node& each : is_list ? elements_of(node, what, "a list of paths") : std::span(&node, 1)) {
       mistakes.attempt(what, [&] {
         std::error_code none;
         const bool folder = mistakes.looks_for_files() && std::filesystem::is_directory(named_file(each, what), none);
@@ -155,18 +155,15 @@ struct Reader {
 
   // Throws Error if two elements have the same name, because names address the elements.
   void check_names() const {
-    const std::span<const Node> elements = node.elements();
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      const Node own = elements[i]["name"];
-      if (own.kind() != Node::Kind::scalar) continue;
-      for (std::size_t j = 0; j < i; ++j) {
-        const Node other = elements[j]["name"];
-        if (other.kind() != Node::Kind::scalar || other.text() != own.text()) continue;
-        mistakes.add(Error(own.where(), fmt::format("{}: second element named {}; the first is at {}", what,
-                                                    texts::in_quotes(own.text()), to_string(other.where()))),
-                     fmt::format("{}.{}.name", what, i));
-        break;
-      }
+    std::map<std::string, Location> seen;
+    for (std::size_t i = 0; i < node.elements().size(); ++i) {
+      const Node name = node.elements()[i]["name"];
+      if (name.kind() != Node::Kind::scalar) continue;
+      const auto [first, added] = seen.emplace(name.text(), name.where());
+      if (added) continue;
+      mistakes.add(Error(name.where(), fmt::format("{}: second element named {}; the first is at {}", what,
+                                                   texts::in_quotes(name.text()), to_string(first->second))),
+                   fmt::format("{}.{}.name", what, i));
     }
   }
 };
@@ -278,11 +275,6 @@ void read(const Map& map, const Node& node, const std::string& what, Mistakes& m
       mistakes.doubt_place(*map.where);
     }
   }
-}
-
-void read(const Map& map, const Node& node, const std::string& what) {
-  Mistakes first(Mistakes::After::stop);
-  read(map, node, what, first);
 }
 
 void refuse(const Node& document, std::initializer_list<std::string_view> paths, const std::string& reason) {

@@ -22,9 +22,6 @@ namespace regista::config {
 // for each element of the document's list, even for a wrong element.
 void read(const Map& map, const Node& node, const std::string& what, Mistakes& mistakes);
 
-// Fills the declared object; throws Error at the first mistake.
-void read(const Map& map, const Node& node, const std::string& what = "");
-
 // Returns the path of a key inside of a map.
 inline std::string inside(const std::string& map, const std::string& key) {
   return map.empty() ? key : map + '.' + key;

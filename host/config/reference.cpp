@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "config/reference.hpp"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -11,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/documents.hpp"
 #include "config/scalar.hpp"
 #include "config/team.hpp"
 #include "config/team_document.hpp"
@@ -270,18 +269,7 @@ std::string text_of_form(const std::string& name) {
   return std::string(form->text);
 }
 
-std::string in_cell(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '|') out += '\\';
-    out += c;
-  }
-  return out;
-}
-
-std::string with_article(const std::string& kind) {
-  return (std::string_view("aeio").find(kind.front()) == std::string_view::npos ? "a " : "an ") + kind;
-}
+std::string in_cell(std::string_view text) { return texts::with_backslashes(text, "|"); }
 
 // Number of the keys of a plugin: plugin, file and params.
 constexpr std::size_t plugin_keys = 3;
@@ -293,7 +281,7 @@ class TableWriter {
   void map(const Map& declared, const std::string& prefix) {
     for (const Field& each : declared.fields) {
       if (!declared.plugin_kind.empty() && each.key == "plugin") {
-        row(prefix + each.key, "id of " + with_article(declared.plugin_kind), each);
+        row(prefix + each.key, "id of " + texts::with_article(declared.plugin_kind), each);
       } else {
         field(each, prefix);
       }
@@ -343,14 +331,11 @@ class TableWriter {
     row(path, fmt::format("`{}`", fmt::join(choice.names, "`, `")), field, choice.names[choice.get()]);
   }
   void write(const Field& field, const Numbers& numbers, const std::string& path) {
-    std::vector<std::string> values;
-    if (numbers.present()) {
-      for (const double* each : numbers.get()) values.push_back(fmt::format("{:.10g}", *each));
-    }
+    const auto number = [](const double* each) { return Node::scalar(fmt::format("{:.10g}", *each)); };
     row(path,
         fmt::format("a list of {}{} numbers, {}", numbers.count, numbers.ascending ? " ascending" : "",
                     range_text(numbers.range, numbers.unit)),
-        field, values.empty() ? "" : fmt::format("[{}]", fmt::join(values, ", ")));
+        field, numbers.present() ? flow(sequence_of(numbers.get(), number)) : "");
   }
   void write(const Field& field, const Own& own, const std::string& path) { form(field, own.definition, path); }
   void write(const Field& field, const Free& free, const std::string& path) { form(field, free.definition, path); }
@@ -362,7 +347,7 @@ class TableWriter {
     const Map inside = section.open();
     if (!inside.plugin_kind.empty() && inside.fields.size() == plugin_keys) {
       used_.insert("plugin");
-      row(path, fmt::format("{}, a [plugin](#plugin)", with_article(inside.plugin_kind)), field);
+      row(path, fmt::format("{}, a [plugin](#plugin)", texts::with_article(inside.plugin_kind)), field);
       return;
     }
     row(path, "a map", field);
@@ -383,8 +368,11 @@ class TableWriter {
 
 }  // namespace
 
-std::string schema(const Map& map, const std::string& title, std::span<const PluginDeclaration> plugins) {
-  Json parts{{"document", SchemaWriter(plugins, false).map(map)}, {"variant", SchemaWriter(plugins, true).map(map)}};
+std::string schema(const DocumentKind& kind, std::span<const PluginDeclaration> plugins) {
+  Json parts;
+  kind.with_defaults([&](const Map& map) {
+    parts = {{"document", SchemaWriter(plugins, false).map(map)}, {"variant", SchemaWriter(plugins, true).map(map)}};
+  });
   parts["variant"]["properties"]["extends"] = {
       {"type", "string"}, {"minLength", 1}, {"description", "file that this one is a variant of, relative to it"}};
   // Adds only definitions that the schema uses. The loop goes backwards, because a definition may use earlier ones.
@@ -394,7 +382,7 @@ std::string schema(const Map& map, const std::string& title, std::span<const Plu
     if (parts.dump().find(reference) != std::string::npos) parts[definition.key()] = definition.value();
   }
   const Json document{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                      {"title", title},
+                      {"title", fmt::format("Regista {}", kind.name)},
                       {"type", "object"},
                       {"if", {{"required", {"extends"}}}},
                       {"then", {{"$ref", "#/$defs/variant"}}},

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "config/rules.hpp"
+
 namespace regista::config {
 
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
@@ -85,5 +87,13 @@ struct Robot {
   Hearing hearing;
   double decision_period = 0.1;  // s
 };
+
+Map declare(Robot& robot);
+
+// Reports values of the document that contradict each other, with the reason.
+void check(const Robot& robot, const Node& document, Mistakes& mistakes);
+
+// Throws Error at the first value of the robot's document that contradicts the rules.
+void check(const Robot& robot, const Rules& rules, const Node& document);
 
 }  // namespace regista::config

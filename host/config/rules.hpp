@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "config/declaration.hpp"
+
 namespace regista::config {
 
 struct FieldSize {
@@ -93,6 +95,11 @@ struct Rules {
   double set_play_distance = 0.75;  // defenders must keep this distance from the ball
   int mercy_difference = 10;        // goal difference that ends the match
 };
+
+Map declare(Rules& rules);
+
+// Reports values of the document that contradict each other, with the reason.
+void check(const Rules& rules, const Node& document, Mistakes& mistakes);
 
 // --- The packets of a game, and the packet line. A game is a match or, with an opening or a time limit, a part of a
 // match. A team may send in play. It may also send in Ready and Set before each half, although the clock stands still

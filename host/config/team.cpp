@@ -88,7 +88,7 @@ void check_name(const std::string& name, const Location& where, const std::strin
 }
 
 void check_roles(TeamDocument& page, const Node& document, Mistakes& mistakes) {
-  for (RoleList& list : page.role_lists) {
+  for (RoleList& list : page.team.role_lists) {
     const Node roles = document["roles"][list.name];
     check_name(list.name, roles.where(), "roles." + list.name, mistakes);
     for (std::size_t i = 0; i < list.roles.size(); ++i) {
@@ -104,17 +104,17 @@ void check_roles(TeamDocument& page, const Node& document, Mistakes& mistakes) {
 }
 
 void check_priorities(const TeamDocument& page, const Node& document, Mistakes& mistakes) {
-  const std::vector<ContextPage>& contexts = page.contexts;
+  const auto context = [&page](std::size_t i) -> const Context& { return page.contexts[i].context; };
   const auto path = [](std::size_t i) { return fmt::format("contexts.{}.priority", i); };
-  for (std::size_t i = 0; i < contexts.size(); ++i) {
+  for (std::size_t i = 0; i < page.contexts.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (contexts[i].priority != contexts[j].priority) continue;
+      if (context(i).priority != context(j).priority) continue;
       if (mistakes.mistaken(path(i)) || mistakes.mistaken(path(j))) continue;
       const Node element = document["contexts"].elements()[i];
       const Node priority = element["priority"];
       mistakes.add(Error(priority ? priority.where() : element.where(),
-                         fmt::format("contexts {} and {} have the same priority {}", contexts[j].name, contexts[i].name,
-                                     contexts[i].priority)),
+                         fmt::format("contexts {} and {} have the same priority {}", context(j).name, context(i).name,
+                                     context(i).priority)),
                    path(i));
     }
   }
@@ -134,7 +134,7 @@ Node coordination_of(const Node& document) {
 }
 
 int role_list_named(const Node& value, const TeamDocument& page, const std::string& what) {
-  const std::vector<std::string> names = texts::names_of(page.role_lists, &RoleList::name);
+  const std::vector<std::string> names = texts::names_of(page.team.role_lists, &RoleList::name);
   if (value.kind() != Node::Kind::scalar) throw Error(value.where(), what + ": expected the name of a list of roles");
   const auto found = std::ranges::find(names, value.text());
   if (found == names.end()) throw Error(value.where(), texts::unknown("list of roles", value.text(), "", names));
@@ -174,7 +174,7 @@ void read_targets(const Node& targets, const RoleList& list, const std::string& 
 // Returns the context with its `use:` laid over the team's values. `what`: the path of this `use:`.
 Context resolved(const ContextPage& written, const Node& document, const TeamDocument& page, const std::string& what,
                  Mistakes& mistakes) {
-  Context context;
+  Context context = written.context;
   Node values = coordination_of(document);
   bool list_known = !mistakes.mistaken("roles");
   for (const Node::Entry& entry : written.use.entries()) {
@@ -185,7 +185,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
         list_known = false;
         // If a role list could not be read, an unknown name may be the name of this list.
         const bool all_lists =
-            !mistakes.mistaken("roles") && page.role_lists.size() == document["roles"].entries().size();
+            !mistakes.mistaken("roles") && page.team.role_lists.size() == document["roles"].entries().size();
         if (!all_lists && entry.value.kind() == Node::Kind::scalar) return;
         context.role_list = role_list_named(entry.value, page, what + ".roles");
         list_known = true;
@@ -203,23 +203,11 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
   mistakes.attempt(what + ".targets", [&] {
     const Node targets = targets_of(written.use);
     if (!targets || !list_known) return;
-    read_targets(targets, page.role_lists[static_cast<std::size_t>(context.role_list)], what, context, mistakes);
+    read_targets(targets, page.team.role_lists[static_cast<std::size_t>(context.role_list)], what, context, mistakes);
   });
-  Coordination coordination;
-  read(declare(coordination), values, "", mistakes);
-  follow(coordination.tasks, values["tasks"]);
-  context.name = written.name;
-  context.priority = written.priority;
-  context.use = written.plugin;
-  context.knowledge = written.knowledge;
-  context.use.where = written.where;
-  context.where = written.where;
-  context.positioner = std::move(coordination.positioner);
-  context.tasks = coordination.tasks;
-  context.utility_knowledge = coordination.utility_knowledge;
-  context.terms = std::move(coordination.terms);
-  context.assigner = std::move(coordination.assigner);
-  context.sender = std::move(coordination.sender);
+  read(declare(static_cast<Coordination&>(context)), values, "", mistakes);
+  follow(context.tasks, values["tasks"]);
+  context.use.where = context.where;
   return context;
 }
 
@@ -259,16 +247,11 @@ TeamDocument read_team_document(const Node& document, Mistakes& mistakes) {
   return page;
 }
 
-TeamDocument read_team_document(const Node& document) {
-  Mistakes first(Mistakes::After::stop);
-  return read_team_document(document, first);
-}
-
 template <>
 Team read_document<Team>(const Node& document, Mistakes& mistakes) {
   require_kind(document, DocumentKind::team);
   TeamDocument page = read_team_document(document, mistakes);
-  Team team;
+  Team& team = page.team;
   const Mistakes of_page = mistakes;
   for (std::size_t i = 0; i < page.contexts.size(); ++i) {
     // Each context lays its `use:` over the team's values. If the value of one context is wrong, the team's value at
@@ -278,21 +261,12 @@ Team read_document<Team>(const Node& document, Mistakes& mistakes) {
     mistakes.take_over(of_context);
   }
   std::ranges::stable_sort(team.contexts, std::ranges::greater(), &Context::priority);
-  team.name = page.name;
-  team.title = page.title.empty() || is_of_base(document) ? page.name : page.title;
+  if (team.title.empty() || is_of_base(document)) team.title = team.name;
   team.file = document.where().file;
-  team.self = std::move(page.predictors.self);
-  team.ball = std::move(page.predictors.ball);
-  team.opponents = std::move(page.predictors.opponents);
-  team.teammates = std::move(page.predictors.teammates);
-  team.forget_teammate_after = page.forget_teammate_after;
-  team.role_lists = std::move(page.role_lists);
-  team.behaviours = std::move(page.behaviours);
-  team.behaviour_without_role = std::move(page.behaviour_without_role);
   const Node without_role = document["behaviour_without_role"];
   team.behaviour_without_role_where = without_role ? without_role.where() : document.where();
   team.where = document.where();
-  return team;
+  return std::move(team);
 }
 
 }  // namespace regista::config

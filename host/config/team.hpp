@@ -124,7 +124,6 @@ struct UtilityTerm {
   PluginUse use;
   double weight = 1.0;
   std::optional<std::array<double, 2>> tune;  // range of the weight for the tuner
-  Location where;
 };
 
 struct TaskRules {
@@ -137,8 +136,17 @@ struct TaskRules {
   bool walk_along_edges = false;
 };
 
-// The values that are in force while a context holds: the values of the team, with the context's `use:` laid over them.
-struct Context {
+// The values that a context may change: the keys of `use:` except `roles` and `targets`.
+struct Coordination {
+  PluginUse positioner;  // empty plugin: no waypoints
+  TaskRules tasks;
+  Knowledge utility_knowledge = Knowledge::mine;
+  std::vector<UtilityTerm> terms;
+  PluginUse assigner, sender;
+};
+
+// A context. The values of Coordination are those of the team, with the context's `use:` laid over them.
+struct Context : Coordination {
   std::string name;
   int priority = 0;
   PluginUse use;
@@ -147,12 +155,6 @@ struct Context {
   // Targets by index of the role in the role list `role_list`. A missing element means the role's own target. Empty if
   // the context changes no target (`use: {targets: {ROLE: ...}}`).
   std::vector<std::optional<TargetRule>> targets;
-  PluginUse positioner;
-  TaskRules tasks;
-  Knowledge utility_knowledge = Knowledge::mine;
-  std::vector<UtilityTerm> terms;
-  PluginUse assigner;
-  PluginUse sender;
   Location where;
 
   // Returns the target of `role`, which has the index `place` in the role list.

@@ -62,29 +62,6 @@ std::optional<std::array<double, 2>> fixed_point(const TargetRule& target) {
   return out;
 }
 
-// A key of a target whose place is off the carpet wherever the ball is, and a description of the key's value.
-struct OffCarpet {
-  std::string key, says;
-};
-std::vector<OffCarpet> off_carpet(const TargetRule& target, const Carpet& carpet) {
-  std::vector<OffCarpet> out;
-  if (const auto point = fixed_point(target); point && !carpet.holds(*point)) {
-    out.push_back({"at", text_of(*point) + " is"});
-  }
-  if (target.within) {
-    const auto& [x_least, x_most, y_least, y_most] = *target.within;
-    const bool outside = x_least > carpet.x || x_most < -carpet.x || y_least > carpet.y || y_most < -carpet.y;
-    if (outside && out.empty()) out.push_back({"within", "all of the rectangle is"});
-  } else if (target.lateral && std::abs(*target.lateral) > carpet.y) {
-    out.push_back({"lateral", fmt::format("{} is", *target.lateral)});
-  }
-  if (target.without_ball && target.without_ball->anchor == Anchor::point &&
-      !carpet.holds(target.without_ball->point)) {
-    out.push_back({"without_ball", text_of(target.without_ball->point) + " is"});
-  }
-  return out;
-}
-
 void warn_of_shared_robots(const RoleList& list, const Node& roles, std::vector<Warning>& out) {
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
     const std::vector<int>& robots = list.roles[i].robots;
@@ -121,10 +98,25 @@ void warn_of_contexts_below(const Team& team, std::vector<Warning>& out) {
   }
 }
 
+// Warns of each key of a target whose place is off the carpet wherever the ball is.
 void warn_of_target(const TargetRule& target, const Node& written, const std::string& path, const Carpet& carpet,
                     std::vector<Warning>& out) {
-  for (const OffCarpet& each : off_carpet(target, carpet)) {
-    out.push_back({written[each.key].where(), fmt::format("{}.{}: {} {}", path, each.key, each.says, carpet.off())});
+  const auto warn = [&](const char* key, const std::string& says) {
+    out.push_back({written[key].where(), fmt::format("{}.{}: {} {}", path, key, says, carpet.off())});
+  };
+  const auto point = fixed_point(target);
+  const bool off = point && !carpet.holds(*point);
+  if (off) warn("at", text_of(*point) + " is");
+  if (target.within) {
+    const auto& [x_least, x_most, y_least, y_most] = *target.within;
+    const bool outside = x_least > carpet.x || x_most < -carpet.x || y_least > carpet.y || y_most < -carpet.y;
+    if (outside && !off) warn("within", "all of the rectangle is");
+  } else if (target.lateral && std::abs(*target.lateral) > carpet.y) {
+    warn("lateral", fmt::format("{} is", *target.lateral));
+  }
+  if (target.without_ball && target.without_ball->anchor == Anchor::point &&
+      !carpet.holds(target.without_ball->point)) {
+    warn("without_ball", text_of(target.without_ball->point) + " is");
   }
 }
 

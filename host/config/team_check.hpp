@@ -37,8 +37,7 @@ struct Warning {
   std::string message;
 };
 
-// "file:line:column: warning: message", one line
-std::string to_string(const Warning& warning);
+std::string to_string(const Warning& warning);  // "file:line:column: warning: message", one line
 
 // Returns whether the document alone proves that the context always holds (`plugin: always`).
 bool always_holds(const Context& context);

@@ -33,6 +33,19 @@ Field segment(std::string key, std::optional<OnLine>& line, std::string doc) {
   return {std::move(key), std::move(doc), Own{"segment", read_line, write_line}};
 }
 
+std::vector<Field> plugin_fields(PluginUse& use) {
+  return {
+      required(name("plugin", use.plugin, "id")),
+      file("file", use.file, "a certain shared object, instead of the one that the search finds"),
+      free("params", use.params, "params", "parameters of the plugin"),
+  };
+}
+
+// A nested map that needs no struct of its own. open() declares the map.
+Field group(std::string key, std::function<Map()> open, std::string doc) {
+  return {std::move(key), std::move(doc), Section{std::move(open), [] { return true; }}};
+}
+
 // A shirt number or a list of different ones. The number 0 gives an empty list.
 Field shirt_numbers(std::string key, std::vector<int>& numbers, std::string doc) {
   const auto read_numbers = [&numbers](const Node& node, const std::string& what, Mistakes& mistakes) {
@@ -62,15 +75,6 @@ Field shirt_numbers(std::string key, std::vector<int>& numbers, std::string doc)
 
 }  // namespace
 
-static Map declare(Predictors& predictors) {
-  return {{
-      required(plugin_field("self", predictors.self, "predictor", "the own pose")),
-      required(plugin_field("ball", predictors.ball, "predictor", "the ball")),
-      required(plugin_field("opponents", predictors.opponents, "predictor", "the other team")),
-      required(plugin_field("teammates", predictors.teammates, "predictor", "teammates between their packets")),
-  }};
-}
-
 static Map declare(TaskRules& tasks) {
   const auto offset = [&tasks] {
     return Map{{real("at_most", tasks.offset_at_most, {0, 20}, "m", "farthest move towards a waypoint; 0 is off")}};
@@ -79,8 +83,7 @@ static Map declare(TaskRules& tasks) {
       choice("keep", tasks.keep, {"all", "nearest_to_waypoints"}, "which of the tasks are kept for the active robots"),
       real("hysteresis", tasks.hysteresis, {0, 20}, "m",
            "a task that a robot is said to play counts as so much nearer to a waypoint"),
-      Field{"offset", "moving a kept task towards the waypoint that is matched with it",
-            Section{offset, [] { return true; }}},
+      group("offset", offset, "moving a kept task towards the waypoint that is matched with it"),
       choice("knowledge", tasks.knowledge, {"mine", "common"}, "world that tasks are placed in"),
       with_default_from(choice("waypoints_knowledge", tasks.waypoints_knowledge, {"mine", "common"},
                                "world that the positioner sees"),
@@ -101,26 +104,26 @@ static Map declare(UtilityTerm& term) {
           .plugin_kind = "utility"};
 }
 
-static Field term_field(UtilityTerm& term) { return section(term.name, term, "term of the utility"); }
-
 Map declare(Coordination& coordination) {
-  const auto utility = [&coordination] {
+  const auto term = [](UtilityTerm& each) { return section(each.name, each, "term of the utility"); };
+  const auto utility = [&coordination, term] {
     return Map{{
         choice("knowledge", coordination.utility_knowledge, {"mine", "common"}, "world that robots are scored in"),
-        dictionary("terms", coordination.terms, &term_field, 0, 64, "what is summed up"),
+        dictionary("terms", coordination.terms, term, 0, 64, "what is summed up"),
     }};
   };
   return {{
       plugin_field("positioner", coordination.positioner, "positioner",
                    "desirable points of the field; without it, none"),
       section("tasks", coordination.tasks, "from roles to tasks"),
-      Field{"utility", "how well a robot fits a task", Section{utility, [] { return true; }}},
+      group("utility", utility, "how well a robot fits a task"),
       required(plugin_field("assigner", coordination.assigner, "assigner", "who does what")),
       required(plugin_field("sender", coordination.sender, "sender", "when to send a packet")),
   }};
 }
 
-static Map declare(ContextPage& context) {
+static Map declare(ContextPage& page) {
+  Context& context = page.context;
   return {
       .fields = joined(
           joined(
@@ -128,10 +131,10 @@ static Map declare(ContextPage& context) {
                   required(name("name", context.name, "of the context")),
                   integer("priority", context.priority, {-1000000, 1000000}, "1", "the highest that holds is in force"),
               },
-              plugin_fields(context.plugin)),
+              plugin_fields(context.use)),
           {
               choice("knowledge", context.knowledge, {"mine", "common"}, "world that the condition is asked about"),
-              free("use", context.use, "use",
+              free("use", page.use, "use",
                    "values of the team that are others while it holds, by their paths; targets: a map from roles "
                    "of the list to targets"),
           }),
@@ -171,10 +174,9 @@ static Map declare(TargetRule& target) {
           .needs = {{"from_goal", "on_line"}}};
 }
 
-static Field role_target_field(RoleTarget& each) { return section(each.name, each.target, "where it is played"); }
-
 Map declare(std::vector<RoleTarget>& targets) {
-  return {{dictionary("targets", targets, &role_target_field, 1, 64, "roles that are played elsewhere")}};
+  const auto target = [](RoleTarget& each) { return section(each.name, each.target, "where it is played"); };
+  return {{dictionary("targets", targets, target, 1, 64, "roles that are played elsewhere")}};
 }
 
 static Map declare(Role& role) {
@@ -205,32 +207,36 @@ static Map declare(Behaviour& behaviour) {
   return {.fields = std::move(fields), .where = &behaviour.use.where, .plugin_kind = "behaviour"};
 }
 
-static Field behaviour_field(Behaviour& behaviour) {
-  if (behaviour.use.plugin.empty()) behaviour.use.plugin = behaviour.name;
-  return section(behaviour.name, behaviour, "behaviour that roles may name");
-}
-
-static Field role_list_field(RoleList& roles) {
-  return list(roles.name, roles.roles, 1, 64, "roles in order of importance");
-}
-
 Map declare(TeamDocument& page) {
+  Team& team = page.team;
+  const auto predictors = [&team] {
+    return Map{{
+        required(plugin_field("self", team.self, "predictor", "the own pose")),
+        required(plugin_field("ball", team.ball, "predictor", "the ball")),
+        required(plugin_field("opponents", team.opponents, "predictor", "the other team")),
+        required(plugin_field("teammates", team.teammates, "predictor", "teammates between their packets")),
+    }};
+  };
+  const auto roles = [](RoleList& each) { return list(each.name, each.roles, 1, 64, "roles in order of importance"); };
+  const auto behaviour = [](Behaviour& each) {
+    if (each.use.plugin.empty()) each.use.plugin = each.name;
+    return section(each.name, each, "behaviour that roles may name");
+  };
   return {
       joined(joined(
                  {
-                     required(name("team", page.name, "name of this team, one word")),
-                     line("title", page.title, "name of this team for people; without it, `team`"),
-                     required(section("predictors", page.predictors, "how each part of the world is carried forward")),
+                     required(name("team", team.name, "name of this team, one word")),
+                     line("title", team.title, "name of this team for people; without it, `team`"),
+                     required(group("predictors", predictors, "how each part of the world is carried forward")),
                      required(list("contexts", page.contexts, 1, 64, "situations; the first that holds is in force")),
                  },
                  declare(page.coordination).fields),
              {
-                 required(dictionary("roles", page.role_lists, &role_list_field, 1, 64,
-                                     "lists of roles; the first is the usual")),
-                 dictionary("behaviours", page.behaviours, &behaviour_field, 0, 64,
+                 required(dictionary("roles", team.role_lists, roles, 1, 64, "lists of roles; the first is the usual")),
+                 dictionary("behaviours", team.behaviours, behaviour, 0, 64,
                             "how robots act; one that is not here is the plugin of its name"),
-                 name("behaviour_without_role", page.behaviour_without_role, "of robots that have no role"),
-                 real("teammates_forgotten_after", page.forget_teammate_after, {0.1, 3600}, "s",
+                 name("behaviour_without_role", team.behaviour_without_role, "of robots that have no role"),
+                 real("teammates_forgotten_after", team.forget_teammate_after, {0.1, 3600}, "s",
                       "silence until a teammate is given up"),
              })};
 }
@@ -239,14 +245,6 @@ const std::vector<std::string>& usable_keys() {
   static const std::vector<std::string> keys{"roles",   "targets",  "positioner", "tasks",
                                              "utility", "assigner", "sender"};
   return keys;
-}
-
-std::vector<Field> plugin_fields(PluginUse& use) {
-  return {
-      required(name("plugin", use.plugin, "id")),
-      file("file", use.file, "a certain shared object, instead of the one that the search finds"),
-      free("params", use.params, "params", "parameters of the plugin"),
-  };
 }
 
 Field plugin_field(std::string key, PluginUse& use, std::string kind, std::string doc) {

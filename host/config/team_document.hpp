@@ -12,26 +12,10 @@
 
 namespace regista::config {
 
-struct Predictors {
-  PluginUse self, ball, opponents, teammates;
-};
-
-// The values that a context may change: the keys of `use:` except `roles` and `targets`.
-struct Coordination {
-  PluginUse positioner;  // empty plugin: no waypoints
-  TaskRules tasks;
-  Knowledge utility_knowledge = Knowledge::mine;
-  std::vector<UtilityTerm> terms;
-  PluginUse assigner, sender;
-};
-
+// A context as it is written: `use:` is not laid over the team's values yet.
 struct ContextPage {
-  std::string name;
-  int priority = 0;
-  PluginUse plugin;
-  Knowledge knowledge = Knowledge::mine;
+  Context context;  // without targets and the values of Coordination
   Node use;
-  Location where;
 };
 
 // The target of a role (the rule for its place on the field) while a context holds: `use: {targets: {ROLE: ...}}`.
@@ -41,14 +25,9 @@ struct RoleTarget {
 };
 
 struct TeamDocument {
-  std::string name, title;
-  Predictors predictors;
+  Team team;  // without contexts
   std::vector<ContextPage> contexts;
   Coordination coordination;
-  std::vector<RoleList> role_lists;
-  std::vector<Behaviour> behaviours;
-  std::string behaviour_without_role = Team{}.behaviour_without_role;
-  double forget_teammate_after = Team{}.forget_teammate_after;
 };
 
 Map declare(TeamDocument& page);
@@ -66,11 +45,7 @@ Node in_context(const Node& document, const Node& use);
 Node targets_of(const Node& use);
 
 // Reads and checks a team's document. A role without a behaviour in the document gets the default of Role::behaviour.
-TeamDocument read_team_document(const Node& document);
 TeamDocument read_team_document(const Node& document, Mistakes& mistakes);
-
-// Returns the keys `plugin`, `file` and `params` of a plugin, for a map that also has other keys.
-std::vector<Field> plugin_fields(PluginUse& use);
 
 // Returns a section with exactly the keys `plugin`, `file` and `params`. kind: kind of the plugin, such as "predictor".
 Field plugin_field(std::string key, PluginUse& use, std::string kind, std::string doc);

@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "config/tournament.hpp"
 
-#include "config/overlay.hpp"
 #include "config/read.hpp"
 
 namespace regista::config {
 
 static Map declare(Tournament::Team& team) {
-  return {{required(file("team", team.team, "the team")),
-           file("disturbance", team.disturbance, "of this team alone; without it that of all teams")},
-          &team.where};
+  return {{
+      required(file("team", team.team, "the team")),
+      file("disturbance", team.disturbance, "of this team alone; without it that of all teams"),
+  }};
 }
 
 static Map declare(TournamentTest& test) {
-  return {
-      {
-          numbers("elo", test.elo, {-4000, 4000}, "1",
-                  "strengths of the first team that the scores of pairs are to tell apart, the smaller first", true),
-          choice("model", test.model, {"normalized", "logistic"}, "what `elo` is in"),
-          line("metric", test.metric, "`goals`, or a number of a match, of which a difference is looked for"),
-          real("alpha", test.alpha, {1e-6, 0.5}, "1", "rate of finding a difference in error"),
-          real("beta", test.beta, {1e-6, 0.5}, "1", "with `elo`: rate of missing it; without it 0.05"),
-      },
-      &test.where,
-      {"elo", "metric"},
-      {{{"beta", "elo"}}}};
+  return {.fields =
+              {
+                  numbers("elo", test.elo, {-4000, 4000}, "1",
+                          "strengths of the first team that the scores of pairs are to tell apart, the smaller first",
+                          true),
+                  choice("model", test.model, {"normalized", "logistic"}, "what `elo` is in"),
+                  line("metric", test.metric, "`goals`, or a number of a match, of which a difference is looked for"),
+                  real("alpha", test.alpha, {1e-6, 0.5}, "1", "rate of finding a difference in error"),
+                  real("beta", test.beta, {1e-6, 0.5}, "1", "with `elo`: rate of missing it; without it 0.05"),
+              },
+          .exactly_one = {"elo", "metric"},
+          .needs = {{"beta", "elo"}}};
 }
 
 Map declare(Tournament& tournament) {
@@ -43,7 +43,7 @@ Map declare(Tournament& tournament) {
           section("test", tournament.test, "a sequential test between two teams; without it all pairs are played"),
           integer("seed", tournament.seed, {0, largest_seed}, "1",
                   "of the pairs of matches; the same seed plays the same"),
-          profile("disturbance", tournament.disturbance, "none", "of all teams; `none` is built in"),
+          file("disturbance", tournament.disturbance, "of all teams; `none` is built in", "none"),
           integer("failures_in_a_row", tournament.failures_in_a_row, {0, 1000000}, "1",
                   "forfeits by the same plugin after which a team is set aside; 0: never"),
       },

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a tournament document: the teams, the pairings, the number of matches, the openings, and a sequential
-// test. This file only holds values; it opens no files and plays no matches.
+// The values of a tournament document: teams, pairings, number of matches, openings, and a sequential test.
 #pragma once
 
 #include <array>
@@ -23,26 +22,23 @@ struct TournamentTest {
   static constexpr double usual_rate = 0.05;
   double alpha = usual_rate;
   std::optional<double> beta;  // only with `elo`; missing: usual_rate
-  Location where;
 };
 
 struct Tournament {
   struct Team {
     std::string team;           // file
     std::string disturbance{};  // file of a disturbance for this team alone; empty: the disturbance of all teams
-    Location where;
   };
   // round_robin: all teams meet. gauntlet: each team meets the first team. swiss: in each round, each team meets a team
   // with about as many points. knock_out: the loser of a meeting leaves.
   enum class Format { round_robin, gauntlet, swiss, knock_out };
-  using Test = TournamentTest;
 
   std::string name, question;
   std::vector<Team> teams;
   Format format = Format::round_robin;
   std::optional<int> rounds;  // of a Swiss tournament; missing: as many as a knock-out of these teams has
   std::optional<int> pairs;   // pairs of matches for each pairing; with a test: the largest number of pairs
-  std::optional<Test> test;
+  std::optional<TournamentTest> test;
   std::int64_t seed = 1;       // seed of the pairs; see MatchSettings::seeds
   std::string disturbance;     // file for all teams; empty: no disturbance
   int failures_in_a_row = 10;  // this many forfeits in a row by the same plugin exclude a team; 0: no exclusion
@@ -50,8 +46,6 @@ struct Tournament {
 };
 
 Map declare(Tournament& tournament);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const Tournament& tournament, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

@@ -126,60 +126,56 @@ static Map declare(TuningObjective& objective) {
   const auto usual = [&objective] {
     return objective.minimise.empty() ? Terms{{"goal_difference", 1.0, {}}} : Terms{};
   };
-  return {{
-              measured("maximise", objective.maximise, "a measure, or measures with weights", usual),
-              measured("minimise", objective.minimise, "the same, the other way round", [] { return Terms{}; }),
-          },
-          &objective.where,
-          {"maximise", "minimise"}};
+  return {.fields =
+              {
+                  measured("maximise", objective.maximise, "a measure, or measures with weights", usual),
+                  measured("minimise", objective.minimise, "the same, the other way round", [] { return Terms{}; }),
+              },
+          .exactly_one = {"maximise", "minimise"}};
 }
 
 static Map declare(Tuning::Search& search) {
   return {{
-              name("algorithm", search.algorithm, "see docs/tuning.md"),
-              integer("matches", search.matches, {2, 10000000}, "1", "of the whole search, at most"),
-              real("minutes", search.minutes, {0.01, 1e6}, "min", "of wall time, after which no point is begun"),
-              integer("pairs", search.pairs, {1, 10000}, "1",
-                      "of matches with each opponent, for each point; without it what the algorithm wants"),
-              integer("population", search.population, {4, 10000}, "1",
-                      "points of a generation; without it the algorithm's own"),
-              points("start_from", search.start_from,
-                     "points that are evaluated first; the search begins at the best of them and the base team"),
-          },
-          &search.where};
+      name("algorithm", search.algorithm, "see docs/tuning.md"),
+      integer("matches", search.matches, {2, 10000000}, "1", "of the whole search, at most"),
+      real("minutes", search.minutes, {0.01, 1e6}, "min", "of wall time, after which no point is begun"),
+      integer("pairs", search.pairs, {1, 10000}, "1",
+              "of matches with each opponent, for each point; without it what the algorithm wants"),
+      integer("population", search.population, {4, 10000}, "1",
+              "points of a generation; without it the algorithm's own"),
+      points("start_from", search.start_from,
+             "points that are evaluated first; the search begins at the best of them and the base team"),
+  }};
 }
 
 static Map declare(Tuning::Selection& selection) {
   return {{
-              integer("finalists", selection.finalists, {1, 64}, "1",
-                      "best points of the search that are played again, on other seeds"),
-              integer("matches", selection.matches, {2, 1000000}, "1", "of all finalists together, at most"),
-          },
-          &selection.where};
+      integer("finalists", selection.finalists, {1, 64}, "1",
+              "best points of the search that are played again, on other seeds"),
+      integer("matches", selection.matches, {2, 1000000}, "1", "of all finalists together, at most"),
+  }};
 }
 
 static Map declare(Tuning::Verification& verification) {
   return {{
-              integer("candidates", verification.candidates, {1, 16}, "1",
-                      "best finalists that are compared with the base team, on held-out seeds"),
-              integer("matches", verification.matches, {4, 10000000}, "1",
-                      "of the candidates and the base team together, at most"),
-              choice("against", verification.against, {"opponents", "base"},
-                     "whom candidate and base team play: the opponents, or each other"),
-              choice("test", verification.test, {"betting", "symmetric"},
-                     "of the differences: betting holds for any law of an objective that has bounds"),
-              real("confidence", verification.confidence, {0.5, 0.9999}, "1", "of the verdict"),
-          },
-          &verification.where};
+      integer("candidates", verification.candidates, {1, 16}, "1",
+              "best finalists that are compared with the base team, on held-out seeds"),
+      integer("matches", verification.matches, {4, 10000000}, "1",
+              "of the candidates and the base team together, at most"),
+      choice("against", verification.against, {"opponents", "base"},
+             "whom candidate and base team play: the opponents, or each other"),
+      choice("test", verification.test, {"betting", "symmetric"},
+             "of the differences: betting holds for any law of an objective that has bounds"),
+      real("confidence", verification.confidence, {0.5, 0.9999}, "1", "of the verdict"),
+  }};
 }
 
 static Map declare(Tuning::Slices& slices) {
   return {{
-              integer("points", slices.points, {0, 101}, "1",
-                      "of each parameter, over its range, the others as tuned; 0 is none"),
-              integer("pairs", slices.pairs, {2, 10000}, "1", "of matches with each opponent, for each point"),
-          },
-          &slices.where};
+      integer("points", slices.points, {0, 101}, "1",
+              "of each parameter, over its range, the others as tuned; 0 is none"),
+      integer("pairs", slices.pairs, {2, 10000}, "1", "of matches with each opponent, for each point"),
+  }};
 }
 
 Map declare(Tuning& tuning) {
@@ -192,8 +188,8 @@ Map declare(Tuning& tuning) {
           required(tuned_paths("parameters", tuning.parameters, "values of the team that may change")),
           section("objective", tuning.objective, "what counts as better; without it goal_difference is maximised"),
           integer("seed", tuning.seed, {0, 2147483647}, "1", "of the search, and of the first matches"),
-          profile("disturbance", tuning.disturbance, "none", "of the tuned team; `none` is built in"),
-          profile("opponent_disturbance", tuning.opponent_disturbance, "none", "of the opponents"),
+          file("disturbance", tuning.disturbance, "of the tuned team; `none` is built in", "none"),
+          file("opponent_disturbance", tuning.opponent_disturbance, "of the opponents", "none"),
           section("search", tuning.search, "how the space is searched"),
           section("selection", tuning.selection, "which of the points found are candidates"),
           section("verification", tuning.verification, "whether they are better than the base team"),

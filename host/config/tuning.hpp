@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The values of a tuning document: the tuned team, its opponents, the numbers that may change, the objective, and the
-// number of matches. This file only holds values; it opens no files and plays no matches.
+// The values of a tuning document: the team, its opponents, the tuned numbers, the objective, and the number of
+// matches.
 #pragma once
 
 #include <array>
@@ -28,7 +28,6 @@ struct TuningObjective {
     Location where;
   };
   std::vector<Term> maximise, minimise;  // one list is empty; if both are empty, goal_difference is maximised
-  Location where;
 };
 
 struct Tuning {
@@ -44,12 +43,10 @@ struct Tuning {
     std::optional<int> pairs;       // pairs of matches against each opponent for each evaluation
     std::optional<int> population;
     std::vector<Node> start_from;  // points to evaluate first: each a map from paths of parameters to numbers
-    Location where;
   };
   struct Selection {
     // Number of finalists, and largest number of matches of all finalists together.
     int finalists = 4, matches = 80;
-    Location where;
   };
   enum class Against { opponents, base };
   enum class Test { betting, symmetric };
@@ -59,13 +56,11 @@ struct Tuning {
     Against against = Against::opponents;
     Test test = Test::betting;
     double confidence = 0.95;
-    Location where;
   };
   struct Slices {
     // A slice varies one parameter of the tuned team. Numbers of points for each parameter, and of pairs of matches
     // against each opponent for each point.
     int points = 5, pairs = 4;
-    Location where;
   };
 
   std::string name, question;
@@ -83,8 +78,6 @@ struct Tuning {
 };
 
 Map declare(Tuning& tuning);
-
-// Reports values of the document that are valid alone but contradict each other.
 void check(const Tuning& tuning, const Node& document, Mistakes& mistakes);
 
 }  // namespace regista::config

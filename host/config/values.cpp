@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
-#include <type_traits>
 
 #include "config/overlay.hpp"
 #include "config/parse.hpp"
@@ -160,22 +159,13 @@ class Page {
   }
 
   static std::string initial(const PluginParameter& parameter) {
-    switch (parameter.type) {
-      case PluginParameter::Type::real:
-      case PluginParameter::Type::integer:
-        return real_text(parameter.initial);
-      case PluginParameter::Type::boolean:
-        return parameter.initial != 0.0 ? "true" : "false";
-      case PluginParameter::Type::choice: {
-        const auto index = static_cast<std::size_t>(std::max(0.0, parameter.initial));
-        return index < parameter.choices.size() ? flow_text(parameter.choices[index], false) : "";
-      }
-      case PluginParameter::Type::text:
-        return flow_text(parameter.initial_text, true);
-      case PluginParameter::Type::file:
-        return parameter.initial_text.empty() ? "" : flow_text(parameter.initial_text, true);
-    }
-    return "";
+    using Type = PluginParameter::Type;
+    if (parameter.type == Type::boolean) return parameter.initial != 0.0 ? "true" : "false";
+    if (parameter.type == Type::file && parameter.initial_text.empty()) return "";
+    if (parameter.type == Type::file || parameter.type == Type::text) return flow_text(parameter.initial_text, true);
+    if (parameter.type != Type::choice) return real_text(parameter.initial);
+    const auto index = static_cast<std::size_t>(std::max(0.0, parameter.initial));
+    return index < parameter.choices.size() ? flow_text(parameter.choices[index], false) : "";
   }
 
   // A name that YAML would read as a boolean needs quotes.
@@ -226,41 +216,51 @@ void compare_freely(const std::string& path, const Node& before, const Node& now
 }
 
 void compare(const std::string& path, const Map& declared, const Node& before, const Node& now,
-             std::vector<std::string>& out);
-
-struct Comparison {
-  const std::string& path;
-  const Node &before, &now;
-  std::vector<std::string>& out;
-
-  template <class Kind>
-  void operator()(const Kind&) const {
-    compare_freely(path, before, now, out);
-  }
-  void operator()(const File&) const {}
-  void operator()(const Paths&) const {}
-  void operator()(const Section& section) const {
-    if (!before || !now || !section.present()) return compare_freely(path, before, now, out);
-    compare(path, section.open(), before, now, out);
-  }
-  void operator()(const List& list) const {
-    const std::size_t then = before.elements().size(), today = now.elements().size();
-    if (then != today) {
-      out.push_back(fmt::format("the number of {}: was {}, now {}", path, then, today));
-      return;
-    }
-    for (std::size_t i = 0; i < today && i < list.size(); ++i) {
-      compare(fmt::format("{}.{}", path, i), list.element(i), before.elements()[i], now.elements()[i], out);
-    }
-  }
-};
-
-void compare(const std::string& path, const Map& declared, const Node& before, const Node& now,
              std::vector<std::string>& out) {
   for (const Field& each : declared.fields) {
-    if (!each.decides) continue;
+    if (!each.decides || std::holds_alternative<File>(each.kind) || std::holds_alternative<Paths>(each.kind)) continue;
     const std::string name = inside(path, each.key);
-    std::visit(Comparison{name, before[each.key], now[each.key], out}, each.kind);
+    const Node then = before[each.key], today = now[each.key];
+    if (const List* const list = std::get_if<List>(&each.kind)) {
+      const std::size_t count = today.elements().size();
+      if (then.elements().size() != count) {
+        out.push_back(fmt::format("the number of {}: was {}, now {}", name, then.elements().size(), count));
+        continue;
+      }
+      for (std::size_t i = 0; i < count && i < list->size(); ++i) {
+        compare(fmt::format("{}.{}", name, i), list->element(i), then.elements()[i], today.elements()[i], out);
+      }
+    } else if (const Section* const section = std::get_if<Section>(&each.kind);
+               section != nullptr && then && today && section->present()) {
+      compare(name, section->open(), then, today, out);
+    } else {
+      compare_freely(name, then, today, out);
+    }
+  }
+}
+
+// Converts a list of maps with different names into a map from these names to the maps. Returns another node unchanged.
+Node by_names(const Node& node) {
+  if (node.kind() != Node::Kind::sequence || node.elements().empty()) return node;
+  std::vector<Node::Entry> entries;
+  for (const Node& each : node.elements()) {
+    const Node name = each["name"];
+    const auto same_key = [&](const Node::Entry& other) { return other.key == name.text(); };
+    if (!name || std::ranges::any_of(entries, same_key)) return node;
+    entries.push_back({name.text(), each.where(), each});
+  }
+  return Node::map(std::move(entries), node.where());
+}
+
+void compare(const std::string& path, const Node& left, const Node& right, std::vector<Difference>& out) {
+  const Node first = by_names(left), second = by_names(right);
+  if (first.kind() == Node::Kind::map && second.kind() == Node::Kind::map) {
+    for (const Node::Entry& each : first.entries()) compare(inside(path, each.key), each.value, second[each.key], out);
+    for (const Node::Entry& each : second.entries()) {
+      if (!first[each.key]) compare(inside(path, each.key), {}, each.value, out);
+    }
+  } else if (!same(left, right)) {
+    out.push_back({path, left ? flow(left) : "", right ? flow(right) : ""});
   }
 }
 
@@ -307,22 +307,23 @@ std::vector<std::string> differences(const Node& before, const Map& now) {
   return out;
 }
 
+std::vector<Difference> differences(const Node& first, const Node& second) {
+  std::vector<Difference> out;
+  compare("", first, second, out);
+  return out;
+}
+
 void rename_files(const Map& declared, const std::function<std::string(const std::string&)>& renamed) {
   for (const Field& each : declared.fields) {
-    std::visit(
-        [&](const auto& kind) {
-          using Kind = std::remove_cvref_t<decltype(kind)>;
-          if constexpr (std::is_same_v<Kind, File>) {
-            if (kind.member.present() && !kind.member.get().empty()) kind.member.get() = renamed(kind.member.get());
-          } else if constexpr (std::is_same_v<Kind, Paths>) {
-            for (NamedPath& path : *kind.members) path.path = renamed(path.path);
-          } else if constexpr (std::is_same_v<Kind, Section>) {
-            if (kind.present()) rename_files(kind.open(), renamed);
-          } else if constexpr (std::is_same_v<Kind, List>) {
-            for (std::size_t i = 0; i < kind.size(); ++i) rename_files(kind.element(i), renamed);
-          }
-        },
-        each.kind);
+    if (const File* const file = std::get_if<File>(&each.kind)) {
+      if (file->member.present() && !file->member.get().empty()) file->member.get() = renamed(file->member.get());
+    } else if (const Paths* const paths = std::get_if<Paths>(&each.kind)) {
+      for (NamedPath& path : *paths->members) path.path = renamed(path.path);
+    } else if (const Section* const section = std::get_if<Section>(&each.kind)) {
+      if (section->present()) rename_files(section->open(), renamed);
+    } else if (const List* const list = std::get_if<List>(&each.kind)) {
+      for (std::size_t i = 0; i < list->size(); ++i) rename_files(list->element(i), renamed);
+    }
   }
 }
 

@@ -77,8 +77,7 @@ std::string filled_in(std::string_view text, const PlaceholderValues& values) {
     }
     const auto found = values.find(name);
     if (found == values.end()) {
-      std::vector<std::string> known;
-      for (const auto& [each, value] : values) known.push_back(each);
+      const auto known = texts::names_of(values, &PlaceholderValues::value_type::first);
       throw BadInput("template: " + texts::unknown("placeholder", name, "", known));
     }
     out += found->second;

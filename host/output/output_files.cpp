@@ -12,7 +12,6 @@
 
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
-#include "config/shipped.hpp"
 #include "output/replaced_file.hpp"
 #include "study/study.hpp"
 #include "texts/message.hpp"
@@ -121,8 +120,6 @@ std::vector<OutputFiles::Place> OutputFiles::all_reads() const {
   return out;
 }
 
-std::string OutputFiles::what_is_read() const { return fmt::format("a file that this {} reads", work_); }
-
 void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
   if (file.empty() || ((what == Writes::page || what == Writes::drawing) && file == "-")) return;
   if (what == Writes::sources) return;  // write_new_folder() never touches existing files
@@ -159,7 +156,7 @@ void OutputFiles::check_folder(const Folder& folder, const std::vector<Place>& r
     throw BadInput(fmt::format("{} {}: {} are written to that folder", each.who, shown(each.place.named), folder.who));
   }
   const auto refuse = [&](const fs::path& file) {
-    throw BadInput(fmt::format("{}: {} is {}", folder.who, shown(file), what_is_read()));
+    throw BadInput(fmt::format("{}: {} is a file that this {} reads", folder.who, shown(file), work_));
   };
   for (const Place& each : reads) {
     if (written_there(each.path)) refuse(each.named);
@@ -211,7 +208,9 @@ void OutputFiles::check(bool force) const {
   };
   for (auto one = outputs_.begin(); one != outputs_.end(); ++one) {
     const std::string name = shown(one->place.named);
-    if (one->place.is_among(reads)) throw BadInput(fmt::format("{} {}: is {}", one->who, name, what_is_read()));
+    if (one->place.is_among(reads)) {
+      throw BadInput(fmt::format("{} {}: is a file that this {} reads", one->who, name, work_));
+    }
     const auto other =
         std::find_if(outputs_.begin(), one, [&](const Output& each) { return each.place.same(one->place); });
     if (other != one) throw BadInput(fmt::format("{} and {}: both name {}", other->who, one->who, name));

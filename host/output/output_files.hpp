@@ -12,11 +12,43 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "output/file_use.hpp"
-
 namespace regista::output {
+
+// --- How a command uses a file that an option names. These declarations alone decide which files may be overwritten. A
+// test requires a declaration for every option with a value.
+
+enum class Reads {
+  documents,  // a YAML document and all files that it names, or a folder of documents
+  results,    // a file of results with the files that SQLite keeps beside it
+  data,       // any other single file
+  plugins,    // a folder of shared objects
+};
+
+enum class Writes {
+  results,        // results of a study with the files beside them
+  recording,      // the recording of a match
+  decisions,      // the decisions of a match
+  metrics,        // the metrics of a match as a table
+  match_table,    // the table of the matches of an experiment
+  summary_table,  // the summary of an experiment
+  search_table,   // the evaluations of a tuning
+  tuned_team,
+  page,     // a page (HTML) or a picture (SVG)
+  drawing,  // a drawing of a team's roles
+  figures,  // a folder of figures
+  sources,  // a new folder for a study, or the folder that will contain the folder of a new plugin
+};
+
+using FileUse = std::variant<std::monostate, Reads, Writes>;  // std::monostate: the option names no file
+
+struct GivenOption {
+  std::string name;                 // "--set"; "teams"
+  std::vector<std::string> values;  // in the order of typing
+  FileUse use;
+};
 
 class OutputFiles {
  public:
@@ -67,7 +99,6 @@ class OutputFiles {
   };
 
   std::vector<Place> all_reads() const;
-  std::string what_is_read() const;  // for messages: "a file that this match reads"
   void check_folder(const Folder& folder, const std::vector<Place>& reads) const;
   static void check_existing(const Output& output, bool force);
 

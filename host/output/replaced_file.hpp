@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output/file_use.hpp"
+#include "output/output_files.hpp"
 #include "report/figure.hpp"
 
 namespace regista::output {

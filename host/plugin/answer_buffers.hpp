@@ -4,7 +4,6 @@
 // buffer. A plugin that writes outside of its buffer overwrites the pattern, and the host detects this after the call.
 #pragma once
 
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -46,46 +45,9 @@ struct Guard {
     }
     return seen;
   }
-
-  // Returns 0 if the 8 bytes before `begin` and the 8 bytes behind `end` equal the pattern. Most overflows change them.
-  static std::uint64_t difference_at_edges(const std::byte* begin, const std::byte* end) {
-    return difference<edge>(begin - edge) | difference<edge>(end);
-  }
-
-  // Compares all bytes before `begin` and behind `end` with the pattern. Returns on which side they differ.
-  static Overflow overflow(const std::byte* begin, const std::byte* end) {
-    if (difference<margin>(end) != 0) return Overflow::past_the_end;
-    return difference<before>(begin - before) != 0 ? Overflow::before_the_beginning : Overflow::none;
-  }
 };
 
-// A buffer for one answer of type T. All bytes are zero at first.
-template <class T>
-class GuardedValue {
-  static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 16);
-
- public:
-  GuardedValue() { mend(); }
-
-  T* data() { return reinterpret_cast<T*>(begin()); }
-  const T* data() const { return reinterpret_cast<const T*>(begin()); }
-
-  // Restores the guard pattern.
-  void mend() {
-    Guard::draw(bytes_.data(), Guard::before);
-    Guard::draw(begin() + sizeof(T), Guard::margin);
-  }
-  std::uint64_t difference_at_edges() const { return Guard::difference_at_edges(begin(), begin() + sizeof(T)); }
-  Overflow overflow() const { return Guard::overflow(begin(), begin() + sizeof(T)); }
-
- private:
-  std::byte* begin() { return bytes_.data() + Guard::before; }
-  const std::byte* begin() const { return bytes_.data() + Guard::before; }
-
-  alignas(64) std::array<std::byte, Guard::before + sizeof(T) + Guard::margin> bytes_{};
-};
-
-// A buffer for a list of answers of type T. All bytes are zero at first. Allocates only when the list grows.
+// A buffer for answers of type T. All bytes are zero at first. Allocates only when the number of answers grows.
 template <class T>
 class GuardedBuffer {
   static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= 16);
@@ -108,14 +70,21 @@ class GuardedBuffer {
     return {data(), count};
   }
 
+  // Restores the guard pattern.
   void mend() {
     Guard::draw(begin() - Guard::before, Guard::before);
-    Guard::draw(begin() + count_ * sizeof(T), Guard::margin);
+    Guard::draw(end(), Guard::margin);
   }
+  // Returns 0 if the 8 bytes before the buffer and the 8 bytes behind it equal the pattern. Most overflows change them.
   std::uint64_t difference_at_edges() const {
-    return Guard::difference_at_edges(begin(), begin() + count_ * sizeof(T));
+    return Guard::difference<Guard::edge>(begin() - Guard::edge) | Guard::difference<Guard::edge>(end());
   }
-  Overflow overflow() const { return Guard::overflow(begin(), begin() + count_ * sizeof(T)); }
+  // Compares the whole pattern. Returns on which side it differs.
+  Overflow overflow() const {
+    if (Guard::difference<Guard::margin>(end()) != 0) return Overflow::past_the_end;
+    const bool before = Guard::difference<Guard::before>(begin() - Guard::before) != 0;
+    return before ? Overflow::before_the_beginning : Overflow::none;
+  }
 
  private:
   struct alignas(64) Line {
@@ -124,6 +93,8 @@ class GuardedBuffer {
 
   std::byte* begin() { return reinterpret_cast<std::byte*>(lines_.data()) + Guard::before; }
   const std::byte* begin() const { return reinterpret_cast<const std::byte*>(lines_.data()) + Guard::before; }
+  std::byte* end() { return begin() + count_ * sizeof(T); }
+  const std::byte* end() const { return begin() + count_ * sizeof(T); }
 
   void draw_pattern(std::size_t count) {
     const std::size_t used = Guard::before + count * sizeof(T) + Guard::margin;
@@ -132,7 +103,7 @@ class GuardedBuffer {
       Guard::draw(begin() - Guard::before, Guard::before);
     }
     count_ = count;
-    Guard::draw(begin() + count * sizeof(T), Guard::margin);
+    Guard::draw(end(), Guard::margin);
   }
 
   std::vector<Line> lines_;
@@ -145,21 +116,21 @@ struct AnswerBuffers {
   bool strict = true;
 
   CallNote unheard;                           // note that nobody reads: calls write to it if the caller has no CallNote
-  GuardedValue<regista_error> error;          // for the error text of every call
-  GuardedValue<regista_room> track_room;      // answer of a predictor
+  GuardedBuffer<regista_error> error{1};      // for the error text of every call
+  GuardedBuffer<regista_room> track_room{1};  // answer of a predictor
   GuardedBuffer<regista_track> tracks{1};     // answer of a predictor
-  GuardedValue<std::int32_t> holds;           // answer of a context
-  GuardedValue<regista_placement> placement;  // answer of a positioner
-  GuardedBuffer<regista_waypoint> points{1};  // answer of a positioner
-  GuardedBuffer<regista_edge> edges{1};       // answer of a positioner
-  GuardedBuffer<regista_cell> cells{1};       // answer of a positioner
-  GuardedBuffer<regista_vertex> vertices{1};  // answer of a positioner
-  GuardedBuffer<double> utilities{1};         // answer of a utility
-  GuardedBuffer<std::int32_t> columns{1};     // answer of an assigner
-  GuardedValue<regista_action> action;        // answer of a behaviour
-  GuardedValue<regista_send> send;            // answer of a sender
-  GuardedBuffer<std::uint64_t> granted{1};    // answer of a sender
-  GuardedBuffer<char> text{1};                // answer of a mailbox
+  GuardedBuffer<std::int32_t> holds{1};       // answer of a context
+  GuardedBuffer<regista_placement> placement{1};  // answer of a positioner
+  GuardedBuffer<regista_waypoint> points{1};      // answer of a positioner
+  GuardedBuffer<regista_edge> edges{1};           // answer of a positioner
+  GuardedBuffer<regista_cell> cells{1};           // answer of a positioner
+  GuardedBuffer<regista_vertex> vertices{1};      // answer of a positioner
+  GuardedBuffer<double> utilities{1};             // answer of a utility
+  GuardedBuffer<std::int32_t> columns{1};         // answer of an assigner
+  GuardedBuffer<regista_action> action{1};        // answer of a behaviour
+  GuardedBuffer<regista_send> send{1};            // answer of a sender
+  GuardedBuffer<std::uint64_t> granted{1};        // answer of a sender
+  GuardedBuffer<char> text{1};                    // answer of a mailbox
 };
 
 }  // namespace regista::plugin

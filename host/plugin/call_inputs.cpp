@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
 #include <limits>
 
 namespace regista::plugin {
@@ -137,6 +136,9 @@ const regista_frame* DeclaredReads::of(const regista_frame& frame) {
   return &frame_;
 }
 
-std::uint64_t AnswerDigest::value() const { return XXH3_64bits(bytes_.data(), bytes_.size()); }
+std::uint64_t AnswerDigest::value() const {
+  const std::span<const std::uint8_t> bytes = bytes_.bytes();
+  return XXH3_64bits(bytes.data(), bytes.size());
+}
 
 }  // namespace regista::plugin

@@ -17,6 +17,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "texts/bytes.hpp"
+
 namespace regista::plugin {
 
 class Inputs {
@@ -151,17 +153,12 @@ class AnswerDigest {
   std::uint64_t value() const;
 
  private:
-  void bytes(const void* data, std::size_t size) {
-    const std::size_t before = bytes_.size();
-    bytes_.resize(before + size);
-    if (size != 0) std::memcpy(bytes_.data() + before, data, size);
-  }
   template <class T>
   requires std::is_arithmetic_v<T>
-  void add(T value) { bytes(&value, sizeof value); }
+  void add(T value) { bytes_(value); }
   template <class T, std::size_t N>
   requires std::is_arithmetic_v<T>
-  void add(const T (&values)[N]) { bytes(values, sizeof values); }
+  void add(const T (&values)[N]) { bytes_.raw(values, sizeof values); }
   template <class T>
   void add(std::span<const T> list) {
     add(list.size());
@@ -177,7 +174,7 @@ class AnswerDigest {
     operator()(t.label, t.flags, t.x, t.y, t.vx, t.vy, t.weight, t.age, t.covariance);
   }
 
-  std::vector<std::uint8_t> bytes_;
+  texts::BytesOut bytes_;
 };
 
 // The answers of one decision, in the order of the calls.
@@ -186,7 +183,6 @@ using CallTrail = std::vector<CallAnswer>;
 // Largest number of answers in a trail, because a plugin may make any number of offers. add() ignores later answers.
 inline constexpr std::size_t most_answers = 4096;
 
-// Adds the answer of the call that `note` describes.
 inline void add(CallTrail& trail, const CallNote& note, std::uint64_t digest) {
   if (trail.size() < most_answers) trail.push_back({note.plugin, note.call, digest});
 }

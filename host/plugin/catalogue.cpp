@@ -29,10 +29,6 @@ std::vector<fs::path> shared_objects(const fs::path& folder, std::string& reason
   return out;
 }
 
-std::string described(const Found& plugin) {
-  return fmt::format("{} ({}, {})", plugin.file.string(), plugin.descriptor->version, plugin.descriptor->build_tag);
-}
-
 // Returns the ids of the plugins of this kind, sorted and without duplicates.
 std::vector<std::string> names_of_kind(std::span<const Found> plugins, int kind) {
   std::vector<std::string> out;
@@ -49,18 +45,14 @@ std::string unknown(const std::string& id, int kind, const std::vector<std::stri
   return texts::unknown(kind_name(kind), id, "", known) + (known.empty() ? "; there is none at all" : "");
 }
 
-std::string kinds_in_words(const Found& plugin) {
-  std::vector<std::string_view> out;
-  for (const int kind : plugin.description->kinds()) {
-    if (kind != REGISTA_KIND_MAILBOX) out.push_back(kind_with_article(kind));
-  }
-  return fmt::format("{}", fmt::join(out, " and "));
-}
-
 // Returns text such as `plugin "voronoi" is a positioner, not an assigner`.
 std::string another_kind(const Found& plugin, int kind) {
-  return fmt::format("plugin \"{}\" is {}, not {}", plugin.descriptor->id, kinds_in_words(plugin),
-                     kind_with_article(kind));
+  std::vector<std::string> kinds;
+  for (const int each : plugin.description->kinds()) {
+    if (each != REGISTA_KIND_MAILBOX) kinds.push_back(texts::with_article(kind_name(each)));
+  }
+  return fmt::format("plugin \"{}\" is {}, not {}", plugin.descriptor->id, fmt::join(kinds, " and "),
+                     texts::with_article(kind_name(kind)));
 }
 
 ScannedFile looked_at_here(PluginFile& file) {
@@ -215,7 +207,10 @@ const Found& Catalogue::find_searched(const config::PluginUse& use, int kind) co
   std::string message;
   if (found.size() > 1) {
     message = fmt::format("plugin \"{}\" exists {} times:", use.plugin, found.size());
-    for (const Found* plugin : found) message += fmt::format(" {},", described(*plugin));
+    for (const Found* plugin : found) {
+      const regista_descriptor& d = *plugin->descriptor;
+      message += fmt::format(" {} ({}, {}),", plugin->file.string(), d.version, d.build_tag);
+    }
     message.back() = ';';
     message += fmt::format(" pin one by its file: {{plugin: {}, file: {}}}", use.plugin, found.front()->file.string());
     throw config::Error(use.where, message);

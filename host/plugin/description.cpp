@@ -7,17 +7,20 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <initializer_list>
 #include <set>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
 
+#include "config/scalar.hpp"
 #include "plugin/shared_object.hpp"
 #include "texts/message.hpp"
 
 namespace regista::plugin {
 namespace {
 
+// most_parameters also limits the choices of a parameter in received bytes: a plugin may have damaged their writer.
 constexpr std::uint32_t most_parameters = 1000, most_reasons = 64;
 
 // Returns the first member of a call table. The first member is the size of the table in the tables of all kinds.
@@ -55,9 +58,6 @@ constexpr std::array<TableCheck, REGISTA_KIND_END> table_checks{
 
 constexpr std::array<std::string_view, REGISTA_KIND_END> kind_names{
     "", "predictor", "context", "positioner", "utility", "assigner", "sender", "mailbox", "behaviour"};
-constexpr std::array<std::string_view, REGISTA_KIND_END> kinds_with_article{
-    "", "a predictor", "a context", "a positioner", "a utility", "an assigner", "a sender", "a mailbox", "a behaviour"};
-constexpr std::array<std::string_view, 7> type_names{"", "real", "integer", "boolean", "choice", "text", "file"};
 
 bool lower_snake_case(std::string_view name) {
   if (name.empty() || name.front() < 'a' || name.front() > 'z') return false;
@@ -80,8 +80,6 @@ bool is_plain_value(std::string_view text) {
   std::erase(without_tabs, '\t');
   return texts::visible_lines(without_tabs) == without_tabs;
 }
-
-bool is_number(std::int32_t type) { return type == REGISTA_TYPE_REAL || type == REGISTA_TYPE_INTEGER; }
 
 std::string wrong_with_number(const regista_parameter& p) {
   if (!std::isfinite(p.minimum) || !std::isfinite(p.maximum) || p.minimum > p.maximum) {
@@ -115,18 +113,25 @@ std::string wrong_with_choice(const regista_parameter& p) {
   return {};
 }
 
-std::string wrong_with_unit_and_doc(const char* unit, const char* doc) {
-  if (unit == nullptr) return "unit is null";
-  if (doc == nullptr) return "doc is null";
-  if (const std::string wrong = wrong_with_text(unit); !wrong.empty()) return "unit " + wrong;
-  if (const std::string wrong = wrong_with_text(doc); !wrong.empty()) return "doc " + wrong;
+struct Text {
+  const char *name, *value;
+};
+std::string wrong_with_texts(std::initializer_list<Text> texts) {
+  for (const Text& each : texts) {
+    if (each.value == nullptr) return fmt::format("{} is null", each.name);
+    if (const std::string wrong = wrong_with_text(each.value); !wrong.empty()) {
+      return fmt::format("{} {}", each.name, wrong);
+    }
+  }
   return {};
 }
 
 std::string wrong_with(const regista_parameter& p) {
-  if (const std::string wrong = wrong_with_unit_and_doc(p.unit, p.doc); !wrong.empty()) return wrong;
-  if (is_number(p.type)) return wrong_with_number(p);
+  if (const std::string wrong = wrong_with_texts({{"unit", p.unit}, {"doc", p.doc}}); !wrong.empty()) return wrong;
   switch (p.type) {
+    case REGISTA_TYPE_REAL:
+    case REGISTA_TYPE_INTEGER:
+      return wrong_with_number(p);
     case REGISTA_TYPE_BOOLEAN:
       return p.initial == 0.0 || p.initial == 1.0 ? "" : fmt::format("default {} is neither 0 nor 1", p.initial);
     case REGISTA_TYPE_CHOICE:
@@ -142,7 +147,7 @@ std::string wrong_with(const regista_parameter& p) {
 }
 
 std::string wrong_with(const regista_metric& m) {
-  if (const std::string wrong = wrong_with_unit_and_doc(m.unit, m.doc); !wrong.empty()) return wrong;
+  if (const std::string wrong = wrong_with_texts({{"unit", m.unit}, {"doc", m.doc}}); !wrong.empty()) return wrong;
   if (m.combine >= REGISTA_METRIC_SUM && m.combine <= REGISTA_METRIC_OVER_TIME) return {};
   return fmt::format("there is no way {} to combine reports", m.combine);
 }
@@ -244,9 +249,6 @@ std::string wrong_with_metrics(const regista_descriptor& d) {
                          "declares the metric \"{}\" twice");
 }
 
-// Largest accepted number of parameters or choices. A plugin may have damaged the process that wrote the bytes.
-constexpr std::uint32_t most_listed = 1000;
-
 std::string text_of(const char* text) { return text != nullptr ? text : ""; }
 
 std::array<const char**, 5> texts_of(regista_descriptor& d) {
@@ -257,7 +259,7 @@ std::array<const char**, 5> texts_of(regista_descriptor& d) {
 template <class List>
 void grow(List& list, std::uint32_t count) {
   if (count == list.size()) return;
-  if (count > most_listed) throw std::out_of_range("too many parameters or choices");
+  if (count > most_parameters) throw std::out_of_range("too many parameters or choices");
   list.resize(count);
 }
 
@@ -286,15 +288,10 @@ std::string what_is_wrong(const regista_descriptor& d, std::uint32_t index) {
   if (d.id == nullptr) return fmt::format("descriptor {}: id is null", index);
   const auto wrong = [&d](std::string_view what) { return fmt::format("plugin {}: {}", texts::in_quotes(d.id), what); };
   if (const std::string what = wrong_with_name(d.id); !what.empty()) return wrong("id " + what);
-  struct Text {
-    const char *name, *value;
-  };
-  for (const Text& text :
-       {Text{"version", d.version}, {"summary", d.summary}, {"licence", d.licence}, {"build tag", d.build_tag}}) {
-    if (text.value == nullptr) return wrong(fmt::format("{} is null", text.name));
-    if (const std::string what = wrong_with_text(text.value); !what.empty()) {
-      return wrong(fmt::format("{} {}", text.name, what));
-    }
+  if (const std::string what = wrong_with_texts(
+          {{"version", d.version}, {"summary", d.summary}, {"licence", d.licence}, {"build tag", d.build_tag}});
+      !what.empty()) {
+    return wrong(what);
   }
   if (d.table == nullptr || d.create == nullptr || d.reset == nullptr || d.destroy == nullptr) {
     return wrong("lacks one of table, create, reset, destroy");
@@ -309,18 +306,9 @@ const regista_parameter& parameter(const regista_descriptor& descriptor, std::ui
   return element(descriptor.parameters, descriptor.parameter_stride, index);
 }
 
-bool implements(const regista_descriptor& descriptor, int kind) { return descriptor.table(kind) != nullptr; }
-
 std::string_view kind_name(int kind) { return kind_names.at(static_cast<std::size_t>(kind)); }
 
-std::string_view kind_with_article(int kind) { return kinds_with_article.at(static_cast<std::size_t>(kind)); }
-
-std::string_view type_name(std::int32_t type) { return type_names.at(static_cast<std::size_t>(type)); }
-
-std::string range_text(const regista_parameter& p) {
-  const std::string unit = p.unit;
-  return fmt::format("{} to {}{}", p.minimum, p.maximum, unit.empty() || unit == "1" ? "" : " " + unit);
-}
+std::string range_text(const regista_parameter& p) { return config::range_text({p.minimum, p.maximum}, p.unit); }
 
 std::string subject_names(std::uint32_t subjects) {
   constexpr std::array<std::string_view, 4> names{"self", "ball", "opponents", "teammates"};
@@ -329,21 +317,6 @@ std::string subject_names(std::uint32_t subjects) {
     if ((subjects >> bit & 1u) != 0) out.push_back(names[bit]);
   }
   return fmt::format("{}", fmt::join(out, ", "));
-}
-
-std::string_view combine_name(std::int32_t combine) {
-  constexpr std::array<std::string_view, 6> names{"", "sum", "mean", "least", "greatest", "mean over time"};
-  return names.at(static_cast<std::size_t>(combine));
-}
-
-std::vector<DeclaredMetric> declared_metrics(const regista_descriptor& d) {
-  std::vector<DeclaredMetric> out;
-  const regista_metrics* const metrics = metrics_of(d);
-  for (std::uint32_t i = 0; metrics != nullptr && i < metrics->count; ++i) {
-    const regista_metric& each = element(metrics->metrics, metrics->stride, i);
-    out.push_back({each.name, each.unit, each.doc, each.combine});
-  }
-  return out;
 }
 
 const char* Description::keep(std::string text) { return texts_.emplace_back(std::move(text)).c_str(); }
@@ -362,7 +335,7 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   declared_.parameters = parameters_.data();
   declared_.parameter_stride = sizeof(regista_parameter);
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
-    if (plugin::implements(live, kind)) kinds_ |= 1u << kind;
+    if (live.table(kind) != nullptr) kinds_ |= 1u << kind;
   }
   if (const auto* predictor = table<regista_predictor>(live, REGISTA_KIND_PREDICTOR)) subjects_ = predictor->subjects;
   if (const auto* assigner = table<regista_assigner>(live, REGISTA_KIND_ASSIGNER)) assigner_flags_ = assigner->flags;
@@ -370,7 +343,11 @@ Description::Description(const regista_descriptor& live) : declared_(live) {
   if (const auto* sender = table<regista_sender>(live, REGISTA_KIND_SENDER)) {
     reasons_.assign(sender->reasons, sender->reasons + sender->reason_count);
   }
-  metrics_ = declared_metrics(live);
+  const regista_metrics* const metrics = metrics_of(live);
+  for (std::uint32_t i = 0; metrics != nullptr && i < metrics->count; ++i) {
+    const regista_metric& each = element(metrics->metrics, metrics->stride, i);
+    metrics_.push_back({each.name, each.unit, each.doc, each.combine});
+  }
   declared_.table = nullptr;
   declared_.create = nullptr;
   declared_.reset = nullptr;

@@ -26,12 +26,6 @@ struct DeclaredMetric {
   std::int32_t combine = REGISTA_METRIC_SUM;
 };
 
-// Returns the name of a REGISTA_METRIC_* value: "sum", "mean", "least", "greatest" or "mean over time".
-std::string_view combine_name(std::int32_t combine);
-
-// Returns the metrics of a plugin. Precondition: what_is_wrong() has accepted the descriptor.
-std::vector<DeclaredMetric> declared_metrics(const regista_descriptor& descriptor);
-
 template <class Archive>
 void visit(Archive& archive, DeclaredMetric& metric) {
   archive(metric.name, metric.unit, metric.doc, metric.combine);
@@ -47,21 +41,14 @@ std::string wrong_with_name(std::string_view name);
 // Returns parameter number `index`, which must be less than descriptor.parameter_count.
 const regista_parameter& parameter(const regista_descriptor& descriptor, std::uint32_t index);
 
-// Returns whether the plugin has a call table for this kind.
-bool implements(const regista_descriptor& descriptor, int kind);
-
 // Returns the call table of this kind, or null. `Table` is the struct of <regista/abi.h> for this kind.
 template <class Table>
 const Table* table(const regista_descriptor& descriptor, int kind) {
   return static_cast<const Table*>(descriptor.table(kind));
 }
 
-// Returns the name of a kind, such as "predictor". kind_with_article() adds the article, as in "an assigner".
+// Returns the name of a kind, such as "predictor".
 std::string_view kind_name(int kind);
-std::string_view kind_with_article(int kind);
-
-// Returns the name of a REGISTA_TYPE_* value, such as "real".
-std::string_view type_name(std::int32_t type);
 
 // Returns the closed range of a real or integer parameter, such as "0.5 to 20 m".
 std::string range_text(const regista_parameter& parameter);
@@ -130,7 +117,6 @@ struct Refused {
   std::string reason;  // one line
 };
 
-// "file: reason"
-std::string to_string(const Refused&);
+std::string to_string(const Refused&);  // "file: reason"
 
 }  // namespace regista::plugin

@@ -195,9 +195,9 @@ std::optional<OwnMemory::Change> OwnMemory::change() const {
 }
 
 std::string variable_at(const std::filesystem::path& path, const OwnMemory::Change& change) {
-  const OpenFile file(path);
-  if (file.number() < 0 || elf_version(EV_CURRENT) == EV_NONE) return {};
-  const ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  const process::FileDescriptor file = open_file(path);
+  if (!file.is_open() || elf_version(EV_CURRENT) == EV_NONE) return {};
+  const ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr), &elf_end);
   if (elf == nullptr) return {};
   for (Elf_Scn* section = nullptr; (section = elf_nextscn(elf.get(), section)) != nullptr;) {
     GElf_Shdr header;

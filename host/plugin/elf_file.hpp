@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <gelf.h>
 #include <libelf.h>
-#include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -16,29 +15,16 @@
 #include <string>
 #include <vector>
 
+#include "process/file_descriptor.hpp"
+
 namespace regista::plugin {
 
-// A file descriptor that the destructor closes.
-class OpenFile {
- public:
-  // Opens without blocking, so that a pipe without a writer does not make the host wait.
-  explicit OpenFile(const std::filesystem::path& path)
-      : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  ~OpenFile() {
-    if (number_ >= 0) ::close(number_);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  int number() const { return number_; }
+// Opens a file for reading. Does not block, so that a pipe without a writer does not make the host wait.
+inline process::FileDescriptor open_file(const std::filesystem::path& path) {
+  return process::FileDescriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+}
 
- private:
-  int number_;
-};
-
-struct CloseElf {
-  void operator()(Elf* elf) const { elf_end(elf); }
-};
-using ElfFile = std::unique_ptr<Elf, CloseElf>;
+using ElfFile = std::unique_ptr<Elf, decltype(&elf_end)>;
 
 // The part of a shared object that the loader reads: exported and imported names, and needed libraries. This class
 // finds the part by the segments, as the loader does, because a file may have no sections.

@@ -79,7 +79,6 @@ struct Caller {
     return tracing.look != Inspection::often || (tick + static_cast<std::uint64_t>(robot)) % often == 0;
   }
 
-  // Writes robot, side and tick of the next calls to the note.
   void note() const {
     if (tracing.note == nullptr) return;
     tracing.note->robot = robot;

@@ -12,40 +12,42 @@
 namespace regista::plugin {
 namespace {
 
-ParameterInfo info(const regista_parameter& p) {
-  ParameterInfo out;
-  out.name = p.name;
-  out.type = type_name(p.type);
-  out.unit = p.unit;
-  out.doc = p.doc;
-  out.tunable = (p.flags & REGISTA_PARAMETER_TUNABLE) != 0;
-  out.log_scale = (p.flags & REGISTA_PARAMETER_LOG_SCALE) != 0;
-  switch (p.type) {
-    case REGISTA_TYPE_REAL:
-    case REGISTA_TYPE_INTEGER:
-      out.initial = fmt::format("{}", p.initial);
-      out.range = range_text(p);
-      break;
-    case REGISTA_TYPE_BOOLEAN:
-      out.initial = p.initial != 0.0 ? "true" : "false";
-      break;
-    case REGISTA_TYPE_CHOICE:
-      out.initial = p.choices[static_cast<std::size_t>(p.initial)];
-      out.range = fmt::format("{}", fmt::join(p.choices, p.choices + p.choice_count, ", "));
-      break;
-    case REGISTA_TYPE_TEXT:
-      out.initial = texts::in_quotes(p.initial_text);
-      break;
-    default:
-      break;
+using config::PluginParameter;
+using Type = PluginParameter::Type;
+
+bool is_number(const PluginParameter& p) { return p.type == Type::real || p.type == Type::integer; }
+
+PluginParameter declaration(const regista_parameter& declared) {
+  PluginParameter out;
+  out.name = declared.name;
+  constexpr std::array types{Type::real, Type::integer, Type::boolean, Type::choice, Type::text, Type::file};
+  static_assert(REGISTA_TYPE_REAL == 1 && REGISTA_TYPE_FILE == types.size());
+  out.type = types.at(static_cast<std::size_t>(declared.type) - 1);
+  out.minimum = declared.minimum;
+  out.maximum = declared.maximum;
+  out.unit = declared.unit;
+  out.doc = declared.doc;
+  out.initial = declared.initial;
+  if (declared.initial_text != nullptr) out.initial_text = declared.initial_text;
+  if (declared.type == REGISTA_TYPE_CHOICE) {
+    out.choices.assign(declared.choices, declared.choices + declared.choice_count);
   }
+  out.tunable = (declared.flags & REGISTA_PARAMETER_TUNABLE) != 0;
+  out.log_scale = (declared.flags & REGISTA_PARAMETER_LOG_SCALE) != 0;
   return out;
 }
 
-std::string line(const ParameterInfo& p) {
-  std::string out = fmt::format("  {}: {}", p.name, p.type);
-  if (!p.range.empty()) out += (p.type == "choice" ? " of " : ", ") + p.range;
-  out += p.initial.empty() ? "; default: none" : fmt::format("; default: {}", p.initial);
+// Returns "0.5 to 20 m", or the choices "first, best"; empty for other types.
+std::string range(const PluginParameter& p) {
+  if (is_number(p)) return config::range_text({p.minimum, p.maximum}, p.unit);
+  return fmt::format("{}", fmt::join(p.choices, ", "));
+}
+
+std::string line(const PluginParameter& p) {
+  std::string out = fmt::format("  {}: {}", p.name, type_name(p.type));
+  if (const std::string of = range(p); !of.empty()) out += (p.type == Type::choice ? " of " : ", ") + of;
+  const std::string initial = default_text(p);
+  out += initial.empty() ? "; default: none" : fmt::format("; default: {}", initial);
   if (p.tunable) out += p.log_scale ? "; tunable on a logarithmic scale" : "; tunable";
   return fmt::format("{}\n      {}\n", out, p.doc);
 }
@@ -67,93 +69,82 @@ constexpr Chapter chapters[] = {
     {REGISTA_KIND_SENDER, "Senders", "Is this moment worth one of the team's packets?"},
 };
 
-std::string row(const ParameterInfo& p) {
-  const std::string range = p.range.empty() ? p.type : p.range;
+std::string row(const PluginParameter& p) {
+  const std::string of = range(p), initial = default_text(p);
   const std::string tuned = !p.tunable ? "" : p.log_scale ? "yes, log" : "yes";
-  return fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, as_text(range),
-                     p.initial.empty() ? "none" : as_code(p.initial), tuned, as_text(p.doc));
+  return fmt::format("| `{}` | {} | {} | {} | {} |\n", p.name, as_text(of.empty() ? type_name(p.type) : of),
+                     initial.empty() ? "none" : as_code(initial), tuned, as_text(p.doc));
+}
+
+// Returns how the values of a metric are combined, and the unit of the metric: "sum, s".
+std::string how_told(const DeclaredMetric& metric) {
+  constexpr std::array<std::string_view, 6> names{"", "sum", "mean", "least", "greatest", "mean over time"};
+  const bool plain = metric.unit.empty() || metric.unit == "1";
+  return fmt::format("{}{}", names.at(static_cast<std::size_t>(metric.combine)), plain ? "" : ", " + metric.unit);
 }
 
 std::string section(const Found& plugin) {
-  const Info about = info(plugin);
-  std::string out = fmt::format("\n### {}\n\n{}.", about.id, as_paragraph(about.summary));
-  if (!about.subjects.empty()) out += fmt::format(" Models: {}.", about.subjects);
-  if (about.negotiates) out += " Robots may show the same task while they have not agreed yet.";
-  out += fmt::format(" Licence: {}.\n", as_text(about.licence));
-  if (about.parameters.empty()) {
+  const regista_descriptor& d = *plugin.descriptor;
+  const std::string subjects = subject_names(plugin.description->subjects());
+  std::string out = fmt::format("\n### {}\n\n{}.", d.id, as_paragraph(d.summary));
+  if (!subjects.empty()) out += fmt::format(" Models: {}.", subjects);
+  if (negotiates(plugin)) out += " Robots may show the same task while they have not agreed yet.";
+  out += fmt::format(" Licence: {}.\n", as_text(d.licence));
+  if (d.parameter_count == 0) {
     out += "\nNo parameters.\n";
   } else {
     out += "\n| parameter | range | default | tunable | meaning |\n|---|---|---|---|---|\n";
-    for (const ParameterInfo& p : about.parameters) out += row(p);
+    for (const PluginParameter& p : parameters(plugin)) out += row(p);
   }
-  if (about.metrics.empty()) return out;
+  if (plugin.description->metrics().empty()) return out;
   out += "\n| metric | number of a match | meaning |\n|---|---|---|\n";
-  for (const DeclaredMetric& each : about.metrics) {
+  for (const DeclaredMetric& each : plugin.description->metrics()) {
     out += fmt::format("| `{}` | {} | {} |\n", each.name, as_text(how_told(each)), as_text(each.doc));
   }
   return out;
 }
 
-config::PluginParameter declaration(const regista_parameter& declared) {
-  config::PluginParameter out;
-  out.name = declared.name;
-  using Type = config::PluginParameter::Type;
-  constexpr std::array types{Type::real, Type::integer, Type::boolean, Type::choice, Type::text, Type::file};
-  static_assert(REGISTA_TYPE_REAL == 1 && REGISTA_TYPE_FILE == types.size());
-  out.type = types.at(static_cast<std::size_t>(declared.type) - 1);
-  out.minimum = declared.minimum;
-  out.maximum = declared.maximum;
-  out.unit = declared.unit;
-  out.doc = declared.doc;
-  out.initial = declared.initial;
-  if (declared.initial_text != nullptr) out.initial_text = declared.initial_text;
-  if (declared.type == REGISTA_TYPE_CHOICE) {
-    out.choices.assign(declared.choices, declared.choices + declared.choice_count);
-  }
-  out.tunable = (declared.flags & REGISTA_PARAMETER_TUNABLE) != 0;
-  out.log_scale = (declared.flags & REGISTA_PARAMETER_LOG_SCALE) != 0;
-  return out;
-}
-
 }  // namespace
 
-std::string how_told(const DeclaredMetric& metric) {
-  const bool plain = metric.unit.empty() || metric.unit == "1";
-  return fmt::format("{}{}", combine_name(metric.combine), plain ? "" : ", " + metric.unit);
+std::string_view type_name(Type type) {
+  constexpr std::array<std::string_view, 6> names{"real", "integer", "boolean", "choice", "text", "file"};
+  return names.at(static_cast<std::size_t>(type));
 }
 
-Info info(const Found& plugin) {
-  const regista_descriptor& d = *plugin.descriptor;
-  Info out;
-  out.id = d.id;
-  out.version = d.version;
-  out.summary = d.summary;
-  out.licence = d.licence;
-  out.build_tag = d.build_tag;
-  out.abi = fmt::format("{}.{}", d.abi_major, d.abi_minor);
-  out.file = plugin.file.string();
-  for (const int kind : plugin.description->kinds()) out.kinds.emplace_back(kind_name(kind));
-  out.subjects = subject_names(plugin.description->subjects());
-  out.negotiates = (plugin.description->assigner_flags() & REGISTA_ASSIGNER_NEGOTIATES) != 0;
-  for (std::uint32_t i = 0; i < d.parameter_count; ++i) out.parameters.push_back(info(parameter(d, i)));
-  out.metrics = plugin.description->metrics();
+std::string default_text(const PluginParameter& p) {
+  if (is_number(p)) return fmt::format("{}", p.initial);
+  if (p.type == Type::boolean) return p.initial != 0.0 ? "true" : "false";
+  if (p.type == Type::choice) return p.choices[static_cast<std::size_t>(p.initial)];
+  return p.type == Type::text ? texts::in_quotes(p.initial_text) : "";
+}
+
+bool negotiates(const Found& plugin) {
+  return (plugin.description->assigner_flags() & REGISTA_ASSIGNER_NEGOTIATES) != 0;
+}
+
+std::vector<PluginParameter> parameters(const Found& plugin) {
+  std::vector<PluginParameter> out;
+  for (std::uint32_t i = 0; i < plugin.descriptor->parameter_count; ++i) {
+    out.push_back(declaration(parameter(*plugin.descriptor, i)));
+  }
   return out;
 }
 
 std::string info_text(const Found& plugin) {
-  const Info about = info(plugin);
-  std::string out = fmt::format("{} {}: {}\n", about.id, about.version, about.summary);
-  out += fmt::format("kind:      {}\n", fmt::join(about.kinds, ", "));
-  if (!about.subjects.empty()) out += fmt::format("models:    {}\n", about.subjects);
-  if (about.negotiates) out += "robots may show the same task while they have not agreed yet\n";
-  out += fmt::format("file:      {}\n", about.file);
-  out += fmt::format("build:     {}\n", about.build_tag);
-  out += fmt::format("interface: {}\n", about.abi);
-  out += fmt::format("licence:   {}\n", about.licence);
-  out += about.parameters.empty() ? "parameters: none\n" : "parameters:\n";
-  for (const ParameterInfo& p : about.parameters) out += line(p);
-  if (!about.metrics.empty()) out += "metrics:\n";
-  for (const DeclaredMetric& each : about.metrics) {
+  const regista_descriptor& d = *plugin.descriptor;
+  const std::string subjects = subject_names(plugin.description->subjects());
+  std::string out = fmt::format("{} {}: {}\n", d.id, d.version, d.summary);
+  out += fmt::format("kind:      {}\n", fmt::join(texts::names_of(plugin.description->kinds(), kind_name), ", "));
+  if (!subjects.empty()) out += fmt::format("models:    {}\n", subjects);
+  if (negotiates(plugin)) out += "robots may show the same task while they have not agreed yet\n";
+  out += fmt::format("file:      {}\n", plugin.file.string());
+  out += fmt::format("build:     {}\n", d.build_tag);
+  out += fmt::format("interface: {}.{}\n", d.abi_major, d.abi_minor);
+  out += fmt::format("licence:   {}\n", d.licence);
+  out += d.parameter_count == 0 ? "parameters: none\n" : "parameters:\n";
+  for (const PluginParameter& p : parameters(plugin)) out += line(p);
+  if (!plugin.description->metrics().empty()) out += "metrics:\n";
+  for (const DeclaredMetric& each : plugin.description->metrics()) {
     out += fmt::format("  {}: {}\n      {}\n", each.name, how_told(each), each.doc);
   }
   return out;
@@ -239,11 +230,7 @@ std::vector<config::PluginDeclaration> declarations(std::span<const Found> plugi
         return other.id == d.id && other.kind == kind_name(kind);
       };
       if (kind == REGISTA_KIND_MAILBOX || std::ranges::any_of(out, same)) continue;
-      config::PluginDeclaration& next = out.emplace_back();
-      next.id = d.id;
-      next.kind = kind_name(kind);
-      next.summary = d.summary;
-      for (std::uint32_t i = 0; i < d.parameter_count; ++i) next.parameters.push_back(declaration(parameter(d, i)));
+      out.push_back({d.id, std::string(kind_name(kind)), d.summary, parameters(plugin)});
     }
   }
   return out;

@@ -14,29 +14,15 @@
 
 namespace regista::plugin {
 
-// A parameter as text. Each number has the shortest form that reads as exactly this number.
-struct ParameterInfo {
-  std::string name, type, unit, doc;
-  std::string initial;  // default value; texts are in quotes; empty for a file, which has no default
-  std::string range;    // "0.5 to 20 m", or the choices "first, best"; empty for other types
-  bool tunable = false, log_scale = false;
-};
+bool negotiates(const Found& plugin);  // whether the plugin is an assigner whose robots negotiate
 
-struct Info {
-  std::string id, version, summary, licence, build_tag;
-  std::string abi;  // version of the ABI, such as "1.0"
-  std::string file;
-  std::vector<std::string> kinds;  // names of the kinds, such as "assigner"
-  std::string subjects;            // subjects of a predictor: "ball, opponents"
-  bool negotiates = false;         // true: an assigner whose robots negotiate
-  std::vector<ParameterInfo> parameters;
-  std::vector<DeclaredMetric> metrics;
-};
+// Returns the parameters of a plugin in the form of the configuration.
+std::vector<config::PluginParameter> parameters(const Found& plugin);
 
-Info info(const Found& plugin);
+std::string_view type_name(config::PluginParameter::Type type);  // "real"
 
-// Returns how the values of a metric are combined, and the unit of the metric: "sum, s".
-std::string how_told(const DeclaredMetric& metric);
+// Returns the default value; a text is in quotes. Empty for a file, which has no default.
+std::string default_text(const config::PluginParameter& parameter);
 
 // Returns a text of several lines about one plugin. Each line ends with a newline.
 std::string info_text(const Found& plugin);

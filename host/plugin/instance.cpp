@@ -170,6 +170,4 @@ void Instance::threw(const char* name) const {
   }
 }
 
-void Instance::has_no_table(int kind) const { fail("table", "is not {}", kind_with_article(kind)); }
-
 }  // namespace regista::plugin

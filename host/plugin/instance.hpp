@@ -14,6 +14,7 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include <regista/abi.h>
 
@@ -23,6 +24,7 @@
 #include "plugin/fatal_signal.hpp"
 #include "plugin/parameters.hpp"
 #include "plugin/process_state.hpp"
+#include "texts/message.hpp"
 
 namespace regista::plugin {
 
@@ -73,17 +75,11 @@ class alignas(64) Instance {
 
   // Returns a buffer for the answer to the next call.
   template <class T>
-  T* open(GuardedBuffer<T>& room, std::size_t count) const {
+  T* open(GuardedBuffer<T>& room, std::size_t count = 1) const {
     T* const out = room.open(count);
     if (buffers_->strict) [[unlikely]]
       room.mend();  // repairs damage by an earlier call, so that the host does not blame this call
     return out;
-  }
-  template <class T>
-  T* open(GuardedValue<T>& room) const {
-    if (buffers_->strict) [[unlikely]]
-      room.mend();
-    return room.data();
   }
 
   // A buffer to which a call wrote, and the name of its content, such as "points".
@@ -125,7 +121,7 @@ class alignas(64) Instance {
   template <class Table>
   const Table& table(int kind) const {
     const Table* found = plugin::table<Table>(*descriptor_, kind);
-    if (found == nullptr) has_no_table(kind);
+    if (found == nullptr) fail("table", "is not {}", texts::with_article(kind_name(kind)));
     return *found;
   }
 
@@ -138,7 +134,7 @@ class alignas(64) Instance {
  private:
   template <std::size_t Size, class Function, class... Arguments>
   void invoke(const char (&name)[Size], Function function, Arguments... arguments) {
-    GuardedValue<regista_error>& error = buffers_->error;
+    GuardedBuffer<regista_error>& error = buffers_->error;
     error.data()->text[0] = '\0';
     std::int32_t status = REGISTA_FAILED;
     begin(name);
@@ -197,7 +193,6 @@ class alignas(64) Instance {
   // Throws Failure if the last call reported a failure or did damage.
   void examine(const char* name, std::int32_t status) const;
   [[noreturn]] void threw(const char* name) const;
-  [[noreturn]] void has_no_table(int kind) const;
 
   // The data that every call needs are in one cache line.
   void* raw_ = nullptr;
@@ -213,6 +208,18 @@ class alignas(64) Instance {
   regista_environment environment_;
   std::array<char, 64> noted_id_;
   std::unique_ptr<AnswerBuffers> own_rooms_;  // buffers of this instance; null if the caller has buffers
+};
+
+// The base of the calls of one kind: an instance and its call table. The constructor throws Failure for a plugin of
+// another kind.
+template <class Table, int kind>
+class CallsOfKind {
+ protected:
+  explicit CallsOfKind(std::shared_ptr<Instance> instance)
+      : instance_(std::move(instance)), calls_(&instance_->table<Table>(kind)) {}
+
+  std::shared_ptr<Instance> instance_;
+  const Table* calls_;
 };
 
 }  // namespace regista::plugin

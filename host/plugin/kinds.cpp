@@ -15,12 +15,7 @@
 namespace regista::plugin {
 namespace {
 
-constexpr double rounding = 1e-9;  // rounding errors, in m and m^2
-
-void check_count(const Instance& instance, std::uint32_t count, std::uint32_t capacity, const char* what) {
-  if (count > capacity) [[unlikely]]
-    instance.fail("place", "wrote {} {} into room for {}", count, what, capacity);
-}
+constexpr double tolerance = 1e-9;  // rounding errors, in m, m^2 and rad
 
 // Largest utility; it keeps sums of weighted terms finite.
 constexpr double largest = 1e12;
@@ -50,22 +45,145 @@ void check_each(const Instance& instance, std::span<const double> values, std::s
   }
 }
 
-constexpr double fastest = 1e4;     // m/s and rad/s
-constexpr double tolerance = 1e-9;  // rounding errors
+constexpr double fastest = 1e4;  // m/s and rad/s
 constexpr double half_turn = std::numbers::pi;
 
 // Returns whether |value| <= limit; false for NaN.
 bool within(double value, double limit) { return std::abs(value) <= limit; }
 
+void check_points(const Instance& instance, const regista_frame& frame, std::span<const regista_waypoint> points) {
+  const regista_environment& field = instance.environment();
+  const double x_limit = field.field_length / 2 + field.border_strip + tolerance;
+  const double y_limit = field.field_width / 2 + field.border_strip + tolerance;
+  const auto tasks = static_cast<std::int64_t>(frame.tasks.count);
+  const auto robots = static_cast<std::int64_t>(field.team_size);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const regista_waypoint& p = points[i];
+    if (!(std::abs(p.x) <= x_limit && std::abs(p.y) <= y_limit)) [[unlikely]]
+      instance.fail("place", "point {} at ({}, {}) is outside the field", i, p.x, p.y);
+    if (!(p.score >= 0.0 && p.score <= std::numeric_limits<double>::max())) [[unlikely]]
+      instance.fail("place", "score of point {} is {}; scores are finite and at least 0", i, p.score);
+    if (p.task < -1 || p.task >= tasks) [[unlikely]]
+      instance.fail("place", "point {} belongs to task {} of {}", i, p.task, tasks);
+    if (p.robot < 0 || p.robot > robots) [[unlikely]]
+      instance.fail("place", "point {} belongs to robot {} of {}", i, p.robot, robots);
+  }
+}
+
+void check_edges(const Instance& instance, std::span<const regista_edge> edges, std::size_t point_count) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const regista_edge& edge = edges[i];
+    if (edge.from >= point_count || edge.to >= point_count) [[unlikely]]
+      instance.fail("place", "edge {} joins points {} and {} of {}", i, edge.from, edge.to, point_count);
+    if (edge.from == edge.to) [[unlikely]]
+      instance.fail("place", "edge {} joins point {} to itself", i, edge.from);
+  }
+  if (!instance.rooms().strict) return;
+  for (std::size_t i = 1; i < edges.size(); ++i) {
+    const auto earlier = std::ranges::find_if(edges.first(i), [&](const regista_edge& each) {
+      return std::minmax(each.from, each.to) == std::minmax(edges[i].from, edges[i].to);
+    });
+    if (earlier != edges.begin() + static_cast<std::ptrdiff_t>(i)) [[unlikely]]
+      instance.fail("place", "edge {} joins points {} and {} a second time", i, edges[i].from, edges[i].to);
+  }
+}
+
+void check_cells(const Instance& instance, std::span<const regista_cell> cells,
+                 std::span<const regista_vertex> vertices) {
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const regista_vertex& vertex = vertices[i];
+    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y)) [[unlikely]]
+      instance.fail("place", "vertex {} is at ({}, {})", i, vertex.x, vertex.y);
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const regista_cell& cell = cells[i];
+    if (cell.robot < 1 || static_cast<std::uint32_t>(cell.robot) > instance.environment().team_size) [[unlikely]]
+      instance.fail("place", "cell {} belongs to robot {} of {}", i, cell.robot, instance.environment().team_size);
+    if (cell.first > vertices.size() || cell.count > vertices.size() - cell.first) [[unlikely]] {
+      instance.fail("place", "cell {} has {} vertices from {} on, but there are {}", i, cell.count, cell.first,
+                    vertices.size());
+    }
+    double twice_area = 0.0;
+    for (std::uint32_t k = 0; k < cell.count; ++k) {
+      const regista_vertex& a = vertices[cell.first + k];
+      const regista_vertex& b = vertices[cell.first + (k + 1 == cell.count ? 0 : k + 1)];
+      twice_area += a.x * b.y - b.x * a.y;
+    }
+    if (twice_area < -tolerance) [[unlikely]]
+      instance.fail("place", "cell {} runs clockwise", i);
+  }
+}
+
+// Records the fields of the action that the motion uses. Other fields may have any values.
+void note_answer(const Instance& instance, const regista_action& action) {
+  if (!instance.is_traced()) [[likely]]
+    return;
+  AnswerDigest used;
+  used(action.motion, action.gaze, action.kick);
+  const bool walks = action.motion == REGISTA_MOTION_WALK_TO;
+  if (walks) used(action.walk, action.pose, std::span<const regista_disc>(action.avoid).first(action.avoid_count));
+  if (action.motion == REGISTA_MOTION_VELOCITY || (walks && (action.walk & REGISTA_WALK_CREEP) != 0))
+    used(action.velocity);
+  if (action.kick != REGISTA_NO_KICK) used(action.kick_direction, action.kick_distance);
+  if ((action.flags & REGISTA_ACTION_TARGET) != 0) used(action.target);
+  instance.answered(used.value());
+}
+
+void check_kick(const Instance& instance, const regista_action& action) {
+  const regista_span& kicks = instance.environment().kicks;
+  if (action.kick < 0 || static_cast<std::uint32_t>(action.kick) >= kicks.count) [[unlikely]]
+    instance.fail("act", "kick {} of {} does not exist", action.kick, kicks.count);
+  const auto& kick = static_cast<const regista_kick*>(kicks.data)[action.kick];
+  if (!(action.kick_distance >= kick.minimum_distance - tolerance &&
+        action.kick_distance <= kick.maximum_distance + tolerance)) [[unlikely]] {
+    instance.fail("act", "asks kick {} ({}) to roll {} m; it rolls {} to {} m", action.kick, kick.name,
+                  action.kick_distance, kick.minimum_distance, kick.maximum_distance);
+  }
+  if (!within(action.kick_direction, half_turn + tolerance)) [[unlikely]]
+    instance.fail("act", "kick's direction is {}; it is within -pi and pi", action.kick_direction);
+}
+
+void check_action(const Instance& instance, const regista_action& action) {
+  if (!within(action.gaze, half_turn + tolerance)) [[unlikely]]
+    instance.fail("act", "gaze is {}; it is within -pi and pi", action.gaze);
+  switch (action.motion) {
+    case REGISTA_MOTION_STAND:
+      break;
+    case REGISTA_MOTION_WALK_TO: {
+      const double* pose = action.pose;
+      if (!within(pose[0], farthest) || !within(pose[1], farthest) || !within(pose[2], farthest)) [[unlikely]]
+        instance.fail("act", "walks to ({}, {}), heading {}", pose[0], pose[1], pose[2]);
+      if (action.avoid_count > REGISTA_MOST_AVOIDED) [[unlikely]]
+        instance.fail("act", "avoids {} discs; there is room for {}", action.avoid_count, int{REGISTA_MOST_AVOIDED});
+      for (const regista_disc& disc : std::span(action.avoid).first(action.avoid_count)) {
+        if (!within(disc.x, farthest) || !within(disc.y, farthest) || !within(disc.radius, farthest) ||
+            disc.radius < 0.0) [[unlikely]]
+          instance.fail("act", "avoids a disc at ({}, {}) of radius {}", disc.x, disc.y, disc.radius);
+      }
+      if ((action.walk & REGISTA_WALK_CREEP) == 0) break;
+      [[fallthrough]];
+    }
+    case REGISTA_MOTION_VELOCITY: {
+      const double* velocity = action.velocity;
+      if (!within(velocity[0], fastest) || !within(velocity[1], fastest) || !within(velocity[2], fastest)) [[unlikely]]
+        instance.fail("act", "velocity is ({}, {}), turn {}", velocity[0], velocity[1], velocity[2]);
+      break;
+    }
+    default:
+      instance.fail("act", "motion {} does not exist", action.motion);
+  }
+  if (action.kick != REGISTA_NO_KICK) check_kick(instance, action);
+  if ((action.flags & REGISTA_ACTION_TARGET) != 0 &&
+      !(within(action.target[0], farthest) && within(action.target[1], farthest))) [[unlikely]]
+    instance.fail("act", "tells of a target at ({}, {})", action.target[0], action.target[1]);
+}
+
 constexpr std::uint32_t longest_description = 256;  // bytes, with the zero at the end
 
 }  // namespace
 
-Context::Context(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_context>(REGISTA_KIND_CONTEXT)) {}
-
 bool Context::holds(const regista_frame& frame) {
-  GuardedValue<std::int32_t>& answer = instance_->rooms().holds;
+  GuardedBuffer<std::int32_t>& answer = instance_->rooms().holds;
   *instance_->open(answer) = 0;
   instance_->call_with([](Inputs& inputs, const regista_frame* seen, auto*) { inputs.add("frame", seen); }, "holds",
                        calls_->holds, instance_->shown(&frame), answer.data());
@@ -76,9 +194,6 @@ bool Context::holds(const regista_frame& frame) {
   instance_->answered(out);
   return out == 1;
 }
-
-Positioner::Positioner(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_positioner>(REGISTA_KIND_POSITIONER)) {}
 
 void Positioner::place(const regista_frame& frame, Placement& out) {
   AnswerBuffers& rooms = instance_->rooms();
@@ -100,19 +215,19 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
                    Instance::Written{rooms.cells, "cells"}, Instance::Written{rooms.vertices, "vertices"});
 
   // Reads only the counts of the struct, because the plugin may have overwritten the pointers.
-  check_count(*instance_, raw.points.count, point_capacity, "points");
-  check_count(*instance_, raw.edges.count, edge_capacity, "edges");
-  check_count(*instance_, raw.cells.count, cell_capacity, "cells");
-  check_count(*instance_, raw.vertices.count, vertex_capacity, "vertices");
-  const auto points = rooms.points.first(raw.points.count);
-  const auto edges = rooms.edges.first(raw.edges.count);
-  const auto cells = rooms.cells.first(raw.cells.count);
-  const auto vertices = rooms.vertices.first(raw.vertices.count);
-  check_points(frame, points);
-  check_edges(edges, points.size());
-  check_cells(cells, vertices);
-  instance_->answered(std::span<const regista_waypoint>(points), std::span<const regista_edge>(edges),
-                      std::span<const regista_cell>(cells), std::span<const regista_vertex>(vertices));
+  const auto written = [this](const auto& guarded, std::uint32_t count, const char* what) {
+    if (count > guarded.size()) [[unlikely]]
+      instance_->fail("place", "wrote {} {} into room for {}", count, what, guarded.size());
+    return guarded.first(count);
+  };
+  const auto points = written(rooms.points, raw.points.count, "points");
+  const auto edges = written(rooms.edges, raw.edges.count, "edges");
+  const auto cells = written(rooms.cells, raw.cells.count, "cells");
+  const auto vertices = written(rooms.vertices, raw.vertices.count, "vertices");
+  check_points(*instance_, frame, points);
+  check_edges(*instance_, edges, points.size());
+  check_cells(*instance_, cells, vertices);
+  instance_->answered(points, edges, cells, vertices);
   const auto take = [](auto& to, const auto& from, std::uint32_t capacity) {
     to.reserve(capacity);  // allocates at the first call, so that later calls allocate nothing
     to.assign(from.begin(), from.end());
@@ -123,70 +238,7 @@ void Positioner::place(const regista_frame& frame, Placement& out) {
   take(out.vertices, vertices, vertex_capacity);
 }
 
-void Positioner::check_points(const regista_frame& frame, std::span<const regista_waypoint> points) const {
-  const regista_environment& field = instance_->environment();
-  const double x_limit = field.field_length / 2 + field.border_strip + rounding;
-  const double y_limit = field.field_width / 2 + field.border_strip + rounding;
-  const auto tasks = static_cast<std::int64_t>(frame.tasks.count);
-  const auto robots = static_cast<std::int64_t>(field.team_size);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const regista_waypoint& p = points[i];
-    if (!(std::abs(p.x) <= x_limit && std::abs(p.y) <= y_limit)) [[unlikely]]
-      instance_->fail("place", "point {} at ({}, {}) is outside the field", i, p.x, p.y);
-    if (!(p.score >= 0.0 && p.score <= std::numeric_limits<double>::max())) [[unlikely]]
-      instance_->fail("place", "score of point {} is {}; scores are finite and at least 0", i, p.score);
-    if (p.task < -1 || p.task >= tasks) [[unlikely]]
-      instance_->fail("place", "point {} belongs to task {} of {}", i, p.task, tasks);
-    if (p.robot < 0 || p.robot > robots) [[unlikely]]
-      instance_->fail("place", "point {} belongs to robot {} of {}", i, p.robot, robots);
-  }
-}
-
-void Positioner::check_edges(std::span<const regista_edge> edges, std::size_t point_count) const {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const regista_edge& edge = edges[i];
-    if (edge.from >= point_count || edge.to >= point_count) [[unlikely]]
-      instance_->fail("place", "edge {} joins points {} and {} of {}", i, edge.from, edge.to, point_count);
-    if (edge.from == edge.to) [[unlikely]]
-      instance_->fail("place", "edge {} joins point {} to itself", i, edge.from);
-  }
-  if (!instance_->rooms().strict) return;
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    const auto earlier = std::ranges::find_if(edges.first(i), [&](const regista_edge& each) {
-      return std::minmax(each.from, each.to) == std::minmax(edges[i].from, edges[i].to);
-    });
-    if (earlier != edges.begin() + static_cast<std::ptrdiff_t>(i)) [[unlikely]]
-      instance_->fail("place", "edge {} joins points {} and {} a second time", i, edges[i].from, edges[i].to);
-  }
-}
-
-void Positioner::check_cells(std::span<const regista_cell> cells, std::span<const regista_vertex> vertices) const {
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const regista_vertex& vertex = vertices[i];
-    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y)) [[unlikely]]
-      instance_->fail("place", "vertex {} is at ({}, {})", i, vertex.x, vertex.y);
-  }
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const regista_cell& cell = cells[i];
-    if (cell.robot < 1 || static_cast<std::uint32_t>(cell.robot) > instance_->environment().team_size) [[unlikely]]
-      instance_->fail("place", "cell {} belongs to robot {} of {}", i, cell.robot, instance_->environment().team_size);
-    if (cell.first > vertices.size() || cell.count > vertices.size() - cell.first) [[unlikely]] {
-      instance_->fail("place", "cell {} has {} vertices from {} on, but there are {}", i, cell.count, cell.first,
-                      vertices.size());
-    }
-    double twice_area = 0.0;
-    for (std::uint32_t k = 0; k < cell.count; ++k) {
-      const regista_vertex& a = vertices[cell.first + k];
-      const regista_vertex& b = vertices[cell.first + (k + 1 == cell.count ? 0 : k + 1)];
-      twice_area += a.x * b.y - b.x * a.y;
-    }
-    if (twice_area < -rounding) [[unlikely]]
-      instance_->fail("place", "cell {} runs clockwise", i);
-  }
-}
-
-Utility::Utility(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_utility>(REGISTA_KIND_UTILITY)) {
+Utility::Utility(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   // Opens the largest buffer that a call may need, so that no call allocates.
   const regista_environment& environment = instance_->environment();
   instance_->rooms().utilities.open(std::size_t{environment.team_size} * environment.roles.count);
@@ -214,8 +266,7 @@ std::span<const double> Utility::score(const regista_frame& frame, std::size_t r
   return answer;
 }
 
-Assigner::Assigner(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_assigner>(REGISTA_KIND_ASSIGNER)) {
+Assigner::Assigner(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   row_of_column_.reserve(instance_->environment().roles.count);
   instance_->rooms().columns.open(instance_->environment().team_size);
 }
@@ -250,11 +301,8 @@ void Assigner::assign(const regista_frame& frame, const regista_matrix& utilitie
   instance_->answered(std::span<const std::int32_t>(out));
 }
 
-Behaviour::Behaviour(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_behaviour>(REGISTA_KIND_BEHAVIOUR)) {}
-
 const regista_action& Behaviour::act(const regista_frame& frame, const regista_body& body) {
-  GuardedValue<regista_action>& answer = instance_->rooms().action;
+  GuardedBuffer<regista_action>& answer = instance_->rooms().action;
   regista_action& out = *instance_->open(answer);
   out = {};
   out.size = sizeof out;
@@ -266,85 +314,20 @@ const regista_action& Behaviour::act(const regista_frame& frame, const regista_b
       },
       "act", calls_->act, instance_->shown(&frame), &body, &out);
   instance_->check("act", Instance::Written{answer, "the action"});
-  check(out);
-  note_answer(out);
+  check_action(*instance_, out);
+  note_answer(*instance_, out);
   return out;
-}
-
-// Records the fields of the action that the motion uses. Other fields may have any values.
-void Behaviour::note_answer(const regista_action& action) const {
-  if (!instance_->is_traced()) [[likely]]
-    return;
-  AnswerDigest used;
-  used(action.motion, action.gaze, action.kick);
-  const bool walks = action.motion == REGISTA_MOTION_WALK_TO;
-  if (walks) used(action.walk, action.pose, std::span<const regista_disc>(action.avoid).first(action.avoid_count));
-  if (action.motion == REGISTA_MOTION_VELOCITY || (walks && (action.walk & REGISTA_WALK_CREEP) != 0))
-    used(action.velocity);
-  if (action.kick != REGISTA_NO_KICK) used(action.kick_direction, action.kick_distance);
-  if ((action.flags & REGISTA_ACTION_TARGET) != 0) used(action.target);
-  instance_->answered(used.value());
-}
-
-void Behaviour::check(const regista_action& action) const {
-  if (!within(action.gaze, half_turn + tolerance)) [[unlikely]]
-    instance_->fail("act", "gaze is {}; it is within -pi and pi", action.gaze);
-  switch (action.motion) {
-    case REGISTA_MOTION_STAND:
-      break;
-    case REGISTA_MOTION_WALK_TO: {
-      const double* pose = action.pose;
-      if (!within(pose[0], farthest) || !within(pose[1], farthest) || !within(pose[2], farthest)) [[unlikely]]
-        instance_->fail("act", "walks to ({}, {}), heading {}", pose[0], pose[1], pose[2]);
-      if (action.avoid_count > REGISTA_MOST_AVOIDED) [[unlikely]]
-        instance_->fail("act", "avoids {} discs; there is room for {}", action.avoid_count, int{REGISTA_MOST_AVOIDED});
-      for (const regista_disc& disc : std::span(action.avoid).first(action.avoid_count)) {
-        if (!within(disc.x, farthest) || !within(disc.y, farthest) || !within(disc.radius, farthest) ||
-            disc.radius < 0.0) [[unlikely]]
-          instance_->fail("act", "avoids a disc at ({}, {}) of radius {}", disc.x, disc.y, disc.radius);
-      }
-      if ((action.walk & REGISTA_WALK_CREEP) == 0) break;
-      [[fallthrough]];
-    }
-    case REGISTA_MOTION_VELOCITY: {
-      const double* velocity = action.velocity;
-      if (!within(velocity[0], fastest) || !within(velocity[1], fastest) || !within(velocity[2], fastest)) [[unlikely]]
-        instance_->fail("act", "velocity is ({}, {}), turn {}", velocity[0], velocity[1], velocity[2]);
-      break;
-    }
-    default:
-      instance_->fail("act", "motion {} does not exist", action.motion);
-  }
-  if (action.kick != REGISTA_NO_KICK) check_kick(action);
-  if ((action.flags & REGISTA_ACTION_TARGET) != 0 &&
-      !(within(action.target[0], farthest) && within(action.target[1], farthest))) [[unlikely]]
-    instance_->fail("act", "tells of a target at ({}, {})", action.target[0], action.target[1]);
-}
-
-void Behaviour::check_kick(const regista_action& action) const {
-  const regista_span& kicks = instance_->environment().kicks;
-  if (action.kick < 0 || static_cast<std::uint32_t>(action.kick) >= kicks.count) [[unlikely]]
-    instance_->fail("act", "kick {} of {} does not exist", action.kick, kicks.count);
-  const auto& kick = static_cast<const regista_kick*>(kicks.data)[action.kick];
-  if (!(action.kick_distance >= kick.minimum_distance - tolerance &&
-        action.kick_distance <= kick.maximum_distance + tolerance)) [[unlikely]] {
-    instance_->fail("act", "asks kick {} ({}) to roll {} m; it rolls {} to {} m", action.kick, kick.name,
-                    action.kick_distance, kick.minimum_distance, kick.maximum_distance);
-  }
-  if (!within(action.kick_direction, half_turn + tolerance)) [[unlikely]]
-    instance_->fail("act", "kick's direction is {}; it is within -pi and pi", action.kick_direction);
 }
 
 constexpr std::size_t most_at_first = 64;  // number of offers for which the first buffer has room
 
-Sender::Sender(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_sender>(REGISTA_KIND_SENDER)) {
+Sender::Sender(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   instance_->rooms().granted.open(most_at_first);
 }
 
 SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_event> events,
                             std::span<const regista_offer> offers, const regista_budget& budget) {
-  GuardedValue<regista_send>& answer = instance_->rooms().send;
+  GuardedBuffer<regista_send>& answer = instance_->rooms().send;
   GuardedBuffer<std::uint64_t>& handles = instance_->rooms().granted;
   *instance_->open(answer) = {sizeof(regista_send), 0, REGISTA_EVENT_PERIOD, 0,
                               instance_->open(handles, offers.size())};
@@ -389,12 +372,8 @@ SendDecision Sender::decide(const regista_frame& frame, std::span<const regista_
 
 std::optional<Mailbox> Mailbox::of(std::shared_ptr<Instance> instance) {
   if (!instance->implements(REGISTA_KIND_MAILBOX)) return std::nullopt;
-  const regista_mailbox& calls = instance->table<regista_mailbox>(REGISTA_KIND_MAILBOX);
-  return Mailbox(std::move(instance), &calls);
+  return Mailbox(std::move(instance));
 }
-
-Mailbox::Mailbox(std::shared_ptr<Instance> instance, const regista_mailbox* calls)
-    : instance_(std::move(instance)), calls_(calls) {}
 
 void Mailbox::transmitted(std::uint64_t handle) { instance_->call("transmitted", calls_->transmitted, handle); }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "plugin/instance.hpp"
@@ -15,16 +16,12 @@
 
 namespace regista::plugin {
 
-class Context {
+class Context : CallsOfKind<regista_context, REGISTA_KIND_CONTEXT> {
  public:
-  explicit Context(std::shared_ptr<Instance> instance);
+  explicit Context(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {}
 
   // Returns whether the context's condition holds now. Must be called once per decision for every context.
   bool holds(const regista_frame& frame);
-
- private:
-  std::shared_ptr<Instance> instance_;
-  const regista_context* calls_;
 };
 
 // The answer of a positioner: points in the field frame, edges between points, and the cells of robots. Cell c has the
@@ -36,27 +33,19 @@ struct Placement {
   std::vector<regista_vertex> vertices;
 };
 
-class Positioner {
+class Positioner : CallsOfKind<regista_positioner, REGISTA_KIND_POSITIONER> {
  public:
   static constexpr std::uint32_t point_capacity = 256, edge_capacity = 768, cell_capacity = 32, vertex_capacity = 512;
 
-  explicit Positioner(std::shared_ptr<Instance> instance);
+  explicit Positioner(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {}
 
   // Writes the plugin's answer to `out`. Allocates memory only at the first call. Checks that points are finite and
   // inside field and border strip, scores are >= 0, tasks and robots exist, edges join existing points, and cells
   // belong to existing robots and have existing vertices, counter-clockwise.
   void place(const regista_frame& frame, Placement& out);
-
- private:
-  void check_points(const regista_frame& frame, std::span<const regista_waypoint> points) const;
-  void check_edges(std::span<const regista_edge> edges, std::size_t point_count) const;
-  void check_cells(std::span<const regista_cell> cells, std::span<const regista_vertex> vertices) const;
-
-  std::shared_ptr<Instance> instance_;
-  const regista_positioner* calls_;
 };
 
-class Utility {
+class Utility : CallsOfKind<regista_utility, REGISTA_KIND_UTILITY> {
  public:
   explicit Utility(std::shared_ptr<Instance> instance);
 
@@ -64,13 +53,9 @@ class Utility {
   // score() for the same robot. An entry that the plugin does not write is 0. An empty matrix needs no call of the
   // plugin. Checks that every entry is finite and in [0, 1e12].
   std::span<const double> score(const regista_frame& frame, std::size_t rows, std::size_t columns);
-
- private:
-  std::shared_ptr<Instance> instance_;
-  const regista_utility* calls_;
 };
 
-class Assigner {
+class Assigner : CallsOfKind<regista_assigner, REGISTA_KIND_ASSIGNER> {
  public:
   explicit Assigner(std::shared_ptr<Instance> instance);
 
@@ -83,26 +68,16 @@ class Assigner {
   bool negotiates() const { return (calls_->flags & REGISTA_ASSIGNER_NEGOTIATES) != 0; }
 
  private:
-  std::shared_ptr<Instance> instance_;
-  const regista_assigner* calls_;
   std::vector<std::int32_t> row_of_column_;
 };
 
-class Behaviour {
+class Behaviour : CallsOfKind<regista_behaviour, REGISTA_KIND_BEHAVIOUR> {
  public:
-  explicit Behaviour(std::shared_ptr<Instance> instance);
+  explicit Behaviour(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {}
 
   // Returns the robot's action until its next decision. The reference is valid until the next call. Checks that the
   // numbers of the chosen motion are finite and in range, that enumerators exist, and that the robot can do the kick.
   const regista_action& act(const regista_frame& frame, const regista_body& body);
-
- private:
-  void note_answer(const regista_action& action) const;
-  void check(const regista_action& action) const;
-  void check_kick(const regista_action& action) const;
-
-  std::shared_ptr<Instance> instance_;
-  const regista_behaviour* calls_;
 };
 
 struct SendDecision {
@@ -111,7 +86,7 @@ struct SendDecision {
   std::span<const std::uint64_t> granted;  // handles of the offers to send, in this order; valid until the next call
 };
 
-class Sender {
+class Sender : CallsOfKind<regista_sender, REGISTA_KIND_SENDER> {
  public:
   explicit Sender(std::shared_ptr<Instance> instance);
 
@@ -119,13 +94,9 @@ class Sender {
   // exists, that granted handles are in `offers`, and that no handle is granted twice.
   SendDecision decide(const regista_frame& frame, std::span<const regista_event> events,
                       std::span<const regista_offer> offers, const regista_budget& budget);
-
- private:
-  std::shared_ptr<Instance> instance_;
-  const regista_sender* calls_;
 };
 
-class Mailbox {
+class Mailbox : CallsOfKind<regista_mailbox, REGISTA_KIND_MAILBOX> {
  public:
   // Returns the mailbox of a plugin, or nothing if the plugin takes no messages.
   static std::optional<Mailbox> of(std::shared_ptr<Instance> instance);
@@ -137,9 +108,7 @@ class Mailbox {
   std::string describe(std::span<const std::uint8_t> bytes);
 
  private:
-  Mailbox(std::shared_ptr<Instance> instance, const regista_mailbox* calls);
-  std::shared_ptr<Instance> instance_;
-  const regista_mailbox* calls_;
+  explicit Mailbox(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {}
 };
 
 }  // namespace regista::plugin

@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 using config::Node;
 
-// One parameter, and the YAML node with its value.
+constexpr std::uintmax_t largest_parameter_file = 16'000'000;  // bytes
+
 struct Reading {
   const regista_parameter& declared;
   const Node& node;
@@ -62,11 +63,6 @@ std::string content(const Reading& reading, const fs::path& path) {
   stream.read(bytes.data(), static_cast<std::streamsize>(size));
   if (static_cast<std::uintmax_t>(stream.gcount()) != size) wrong("became shorter while it was read");
   return bytes;
-}
-
-regista_value default_of(const regista_parameter& declared, std::string& text) {
-  if (declared.type == REGISTA_TYPE_TEXT) text = declared.initial_text;
-  return {declared.initial, nullptr, 0};
 }
 
 // Reads the value of a parameter. Writes the value of a text parameter to `text`, and adds a parameter file to `files`.
@@ -140,7 +136,8 @@ Parameters resolve(const regista_descriptor& plugin, const config::PluginUse& us
     std::string& text = data->texts[i];
     const Node node = params[declared.name];
     const bool given = node.kind() != Node::Kind::absent && node.kind() != Node::Kind::null;
-    value = default_of(declared, text);
+    value = {declared.initial, nullptr, 0};
+    if (declared.type == REGISTA_TYPE_TEXT) text = declared.initial_text;
     if (given) {
       const Reading reading{declared, node, fmt::format("parameter \"{}\" of plugin {}", declared.name, plugin.id)};
       mistakes.attempt("", [&] { value = read(reading, text, data->files); });

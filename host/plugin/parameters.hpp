@@ -22,9 +22,6 @@ struct FileUsed {
   std::string hash;  // hash of the file's content, see content_hash() in shared_object.hpp
 };
 
-// Largest file that a parameter may name, in bytes.
-inline constexpr std::uintmax_t largest_parameter_file = 16'000'000;
-
 // The values of all parameters of a plugin. Cheap to copy; copies share the values.
 class Parameters {
  public:

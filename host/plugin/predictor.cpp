@@ -44,18 +44,106 @@ bool clearly_sound(const regista_track& t, const regista_track_pose& pose) {
   return turned & certain & aimed & clearly_definite(t.covariance);
 }
 
-// Returns the usual number of tracks. A larger number is rare and costs one allocation.
-std::size_t usual_tracks(std::uint32_t subject, std::size_t team_size) {
-  if (subject == REGISTA_SUBJECT_SELF) return 1;
-  return subject == REGISTA_SUBJECT_TEAMMATES ? team_size : 16;
+void note_answer(const Instance& instance, std::span<const regista_track> tracks, bool poses) {
+  if (!instance.is_traced()) [[likely]]
+    return;
+  AnswerDigest rest;
+  for (const regista_track& each : tracks) {
+    if (!poses) {
+      rest(each.motion);
+      continue;
+    }
+    rest(each.pose.heading, each.pose.turn_rate, each.pose.heading_variance, each.pose.velocity_variance);
+    if ((each.flags & REGISTA_TRACK_HAS_TARGET) != 0) rest(each.pose.target);
+  }
+  instance.answered(tracks, rest.value());
+}
+
+void check(const Instance& instance, const regista_track& t, bool has_pose) {
+  const auto wrong = [&](const char* what, double value) {
+    instance.fail("tracks", "{} of label {} is {}", what, t.label, value);
+  };
+  struct Field {
+    const char* name;
+    double value;
+  };
+  const bool has_target = has_pose && (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
+  const regista_track_pose pose = has_pose ? t.pose : regista_track_pose{};
+  for (const Field& field : {Field{"x", t.x},
+                             {"y", t.y},
+                             {"heading", pose.heading},
+                             {"vx", t.vx},
+                             {"vy", t.vy},
+                             {"turn rate", pose.turn_rate},
+                             {"heading variance", pose.heading_variance},
+                             {"velocity variance", pose.velocity_variance},
+                             {"weight", t.weight},
+                             {"age", t.age},
+                             {"x of the target", has_target ? pose.target[0] : 0.0},
+                             {"y of the target", has_target ? pose.target[1] : 0.0}}) {
+    if (!std::isfinite(field.value)) wrong(field.name, field.value);
+  }
+  for (const Field& field : {Field{"x", t.x}, {"y", t.y}, {"vx", t.vx}, {"vy", t.vy}}) {
+    if (std::abs(field.value) > farthest) wrong(field.name, field.value);
+  }
+  if (std::abs(pose.heading) > std::numbers::pi) wrong("heading", pose.heading);
+  if (pose.heading_variance < 0.0) wrong("heading variance", pose.heading_variance);
+  if (pose.velocity_variance < 0.0) wrong("velocity variance", pose.velocity_variance);
+  if (!(t.weight > 0.0 && t.weight <= 1.0)) wrong("weight", t.weight);
+  if (t.age < 0.0) wrong("age", t.age);
+  switch (has_pose ? examine_covariance(t.covariance) : examine_covariance(t.covariance, t.motion)) {
+    case Covariance::valid:
+      return;
+    case Covariance::not_finite:
+      instance.fail("tracks", "covariance of label {} is not finite", t.label);
+    case Covariance::not_semi_definite:
+      instance.fail("tracks", "covariance of label {} is not positive semi-definite", t.label);
+  }
+}
+
+void check_together(const Instance& instance, std::span<const regista_track> tracks) {
+  const regista_environment& environment = instance.environment();
+  switch (environment.subject) {
+    case REGISTA_SUBJECT_SELF:
+      if (tracks.size() != 1 || tracks[0].label != environment.own_number) [[unlikely]] {
+        const std::string first = tracks.empty() ? "" : fmt::format(", the first with label {}", tracks[0].label);
+        instance.fail("tracks", "self is one track with label {}; there are {}{}", environment.own_number,
+                      tracks.size(), first);
+      }
+      return;
+    case REGISTA_SUBJECT_BALL:
+      for (std::size_t i = 1; i < tracks.size(); ++i) {
+        if (tracks[i].weight > tracks[0].weight) [[unlikely]] {
+          instance.fail("tracks", "hypothesis {} has weight {}, the first only {}", i, tracks[i].weight,
+                        tracks[0].weight);
+        }
+      }
+      return;
+    case REGISTA_SUBJECT_TEAMMATES:
+      for (std::size_t i = 0; i < tracks.size(); ++i) {
+        const std::int32_t label = tracks[i].label;
+        if (label < 1 || static_cast<std::uint32_t>(label) > environment.team_size) [[unlikely]]
+          instance.fail("tracks", "robot {} of {} does not exist", label, environment.team_size);
+        if (i > 0 && label <= tracks[i - 1].label) [[unlikely]]
+          instance.fail("tracks", "label {} comes after {}", label, tracks[i - 1].label);
+      }
+      return;
+    default:
+      for (std::size_t i = 1; i < tracks.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          if (tracks[i].label == tracks[j].label) [[unlikely]]
+            instance.fail("tracks", "label {} stands in tracks {} and {}", tracks[i].label, j, i);
+        }
+      }
+  }
 }
 
 }  // namespace
 
-Predictor::Predictor(std::shared_ptr<Instance> instance)
-    : instance_(std::move(instance)), calls_(&instance_->table<regista_predictor>(REGISTA_KIND_PREDICTOR)) {
+Predictor::Predictor(std::shared_ptr<Instance> instance) : CallsOfKind(std::move(instance)) {
   const std::uint32_t subject = instance_->environment().subject;
-  tracks_.reserve(usual_tracks(subject, instance_->environment().team_size));
+  const std::size_t usual = subject == REGISTA_SUBJECT_TEAMMATES ? instance_->environment().team_size : 16;
+  tracks_.reserve(subject == REGISTA_SUBJECT_SELF ? 1 : usual);  // a larger number is rare: it costs one allocation
   instance_->rooms().tracks.open(track_capacity);
   if ((calls_->subjects & subject) == 0) {
     instance_->fail("create", "models {}, not {}", subject_names(calls_->subjects),
@@ -92,7 +180,7 @@ void Predictor::absorb(std::span<const regista_track> tracks, double age) {
 }
 
 std::span<const regista_track> Predictor::tracks() {
-  GuardedValue<regista_room>& room = instance_->rooms().track_room;
+  GuardedBuffer<regista_room>& room = instance_->rooms().track_room;
   GuardedBuffer<regista_track>& written = instance_->rooms().tracks;
   *instance_->open(room) = {instance_->open(written, track_capacity), track_capacity, 0, sizeof(regista_track), 0};
   instance_->call("tracks", calls_->tracks, room.data());
@@ -107,106 +195,12 @@ std::span<const regista_track> Predictor::tracks() {
     const bool sound = poses ? clearly_sound(track) && clearly_sound(track, track.pose)
                              : clearly_sound(track) && clearly_definite(track.covariance, track.motion);
     if (!sound) [[unlikely]]
-      check(track, poses);
+      check(*instance_, track, poses);
   }
-  check_together(out);
-  note_answer(out, poses);
+  check_together(*instance_, out);
+  note_answer(*instance_, out, poses);
   tracks_.assign(out.begin(), out.end());
   return tracks_;
-}
-
-void Predictor::note_answer(std::span<const regista_track> tracks, bool poses) const {
-  if (!instance_->is_traced()) [[likely]]
-    return;
-  AnswerDigest rest;
-  for (const regista_track& each : tracks) {
-    if (!poses) {
-      rest(each.motion);
-      continue;
-    }
-    rest(each.pose.heading, each.pose.turn_rate, each.pose.heading_variance, each.pose.velocity_variance);
-    if ((each.flags & REGISTA_TRACK_HAS_TARGET) != 0) rest(each.pose.target);
-  }
-  instance_->answered(tracks, rest.value());
-}
-
-void Predictor::check(const regista_track& t, bool has_pose) const {
-  const auto wrong = [&](const char* what, double value) {
-    instance_->fail("tracks", "{} of label {} is {}", what, t.label, value);
-  };
-  struct Field {
-    const char* name;
-    double value;
-  };
-  const bool has_target = has_pose && (t.flags & REGISTA_TRACK_HAS_TARGET) != 0;
-  const regista_track_pose pose = has_pose ? t.pose : regista_track_pose{};
-  for (const Field& field : {Field{"x", t.x},
-                             {"y", t.y},
-                             {"heading", pose.heading},
-                             {"vx", t.vx},
-                             {"vy", t.vy},
-                             {"turn rate", pose.turn_rate},
-                             {"heading variance", pose.heading_variance},
-                             {"velocity variance", pose.velocity_variance},
-                             {"weight", t.weight},
-                             {"age", t.age},
-                             {"x of the target", has_target ? pose.target[0] : 0.0},
-                             {"y of the target", has_target ? pose.target[1] : 0.0}}) {
-    if (!std::isfinite(field.value)) wrong(field.name, field.value);
-  }
-  for (const Field& field : {Field{"x", t.x}, {"y", t.y}, {"vx", t.vx}, {"vy", t.vy}}) {
-    if (std::abs(field.value) > farthest) wrong(field.name, field.value);
-  }
-  if (std::abs(pose.heading) > std::numbers::pi) wrong("heading", pose.heading);
-  if (pose.heading_variance < 0.0) wrong("heading variance", pose.heading_variance);
-  if (pose.velocity_variance < 0.0) wrong("velocity variance", pose.velocity_variance);
-  if (!(t.weight > 0.0 && t.weight <= 1.0)) wrong("weight", t.weight);
-  if (t.age < 0.0) wrong("age", t.age);
-  switch (has_pose ? examine_covariance(t.covariance) : examine_covariance(t.covariance, t.motion)) {
-    case Covariance::valid:
-      return;
-    case Covariance::not_finite:
-      instance_->fail("tracks", "covariance of label {} is not finite", t.label);
-    case Covariance::not_semi_definite:
-      instance_->fail("tracks", "covariance of label {} is not positive semi-definite", t.label);
-  }
-}
-
-void Predictor::check_together(std::span<const regista_track> tracks) const {
-  const regista_environment& environment = instance_->environment();
-  switch (environment.subject) {
-    case REGISTA_SUBJECT_SELF:
-      if (tracks.size() != 1 || tracks[0].label != environment.own_number) [[unlikely]] {
-        const std::string first = tracks.empty() ? "" : fmt::format(", the first with label {}", tracks[0].label);
-        instance_->fail("tracks", "self is one track with label {}; there are {}{}", environment.own_number,
-                        tracks.size(), first);
-      }
-      return;
-    case REGISTA_SUBJECT_BALL:
-      for (std::size_t i = 1; i < tracks.size(); ++i) {
-        if (tracks[i].weight > tracks[0].weight) [[unlikely]] {
-          instance_->fail("tracks", "hypothesis {} has weight {}, the first only {}", i, tracks[i].weight,
-                          tracks[0].weight);
-        }
-      }
-      return;
-    case REGISTA_SUBJECT_TEAMMATES:
-      for (std::size_t i = 0; i < tracks.size(); ++i) {
-        const std::int32_t label = tracks[i].label;
-        if (label < 1 || static_cast<std::uint32_t>(label) > environment.team_size) [[unlikely]]
-          instance_->fail("tracks", "robot {} of {} does not exist", label, environment.team_size);
-        if (i > 0 && label <= tracks[i - 1].label) [[unlikely]]
-          instance_->fail("tracks", "label {} comes after {}", label, tracks[i - 1].label);
-      }
-      return;
-    default:
-      for (std::size_t i = 1; i < tracks.size(); ++i) {
-        for (std::size_t j = 0; j < i; ++j) {
-          if (tracks[i].label == tracks[j].label) [[unlikely]]
-            instance_->fail("tracks", "label {} stands in tracks {} and {}", tracks[i].label, j, i);
-        }
-      }
-  }
 }
 
 }  // namespace regista::plugin

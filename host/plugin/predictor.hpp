@@ -96,7 +96,7 @@ inline Covariance examine_covariance(const double (&p)[3], const double (&r)[7])
                                                r[1], r[3], r[5], r[6]});
 }
 
-class Predictor {
+class Predictor : CallsOfKind<regista_predictor, REGISTA_KIND_PREDICTOR> {
  public:
   static constexpr std::uint32_t track_capacity = 64;
 
@@ -115,12 +115,6 @@ class Predictor {
   std::span<const regista_track> tracks();
 
  private:
-  void check(const regista_track& track, bool has_pose) const;
-  void note_answer(std::span<const regista_track> tracks, bool poses) const;
-  void check_together(std::span<const regista_track> tracks) const;
-
-  std::shared_ptr<Instance> instance_;
-  const regista_predictor* calls_;
   std::vector<regista_track> tracks_;  // copy of the last answer, which stays valid when the buffer is used again
 };
 

@@ -90,9 +90,8 @@ std::vector<std::string> variables() {
 
 // Returns the names of environment variables that `before` and `after` have with different values, or only one of them.
 std::vector<std::string> changed_variables(const ProcessState& before, const ProcessState& after) {
-  std::vector<std::string> out = without(before.environment, after.environment);
-  const std::vector<std::string> fresh = without(after.environment, before.environment);
-  out.insert(out.end(), fresh.begin(), fresh.end());
+  std::vector<std::string> out;
+  std::ranges::set_symmetric_difference(before.environment, after.environment, std::back_inserter(out));
   for (std::string& each : out) each.resize(std::min(each.find('='), each.size()));
   std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());
@@ -142,16 +141,12 @@ std::string FloatingPointState::changed_from(const FloatingPointState& earlier) 
 
 #else
 
-namespace {
-
 // Returns whether the processor sets denormal numbers to zero. No portable function returns this setting.
-bool flushes_to_zero() {
+static bool flushes_to_zero() {
   volatile double least = std::numeric_limits<double>::min();
   least = least / 2;
   return least == 0.0;
 }
-
-}  // namespace
 
 std::uint32_t FloatingPointState::difference_for_numbers() {
   return std::fegetround() == FE_TONEAREST && !flushes_to_zero() ? 0 : 1;

@@ -25,8 +25,7 @@ class FloatingPointState {
  public:
   static FloatingPointState now();
 
-  // Sets the processor to this state.
-  void restore() const;
+  void restore() const;  // sets the processor to this state
 
   // Describes the change from the earlier state, such as "changed the rounding mode"; empty if nothing changed.
   std::string changed_from(const FloatingPointState& earlier) const;

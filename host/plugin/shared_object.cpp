@@ -2,7 +2,6 @@
 #include "plugin/shared_object.hpp"
 
 #include <dlfcn.h>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <gelf.h>
 #include <libelf.h>
@@ -93,18 +92,17 @@ std::string variable_of_all_files(Elf* elf) {
 
 // Returns why the file cannot be a plugin; empty if the file may be a plugin. Does not run the file.
 std::string why_no_plugin(const std::filesystem::path& path) {
-  const OpenFile file(path);
-  const int code = errno;
-  if (file.number() < 0) {
-    return code == ENOENT ? "does not exist" : fmt::format("cannot be read: {}", system_message(code));
+  const process::FileDescriptor file = open_file(path);
+  if (!file.is_open()) {
+    return errno == ENOENT ? "does not exist" : fmt::format("cannot be read: {}", system_message(errno));
   }
   struct stat about {};
-  if (::fstat(file.number(), &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
+  if (::fstat(file.number, &about) != 0) return fmt::format("cannot be read: {}", system_message(errno));
   if (S_ISDIR(about.st_mode)) return "is a folder, not a shared object";
   if (!S_ISREG(about.st_mode)) return "is not a regular file";
   if (about.st_size == 0) return "is empty";
   if (elf_version(EV_CURRENT) == EV_NONE) return "cannot be checked: libelf is too old";
-  const ElfFile elf(elf_begin(file.number(), ELF_C_READ, nullptr));
+  const ElfFile elf(elf_begin(file.number, ELF_C_READ, nullptr), &elf_end);
   GElf_Ehdr header;
   if (elf == nullptr || elf_kind(elf.get()) != ELF_K_ELF) return "is not a shared object";
   if (gelf_getehdr(elf.get(), &header) == nullptr) return truncated;
@@ -129,7 +127,7 @@ std::string loader_message(const std::filesystem::path& path) {
 
 bool share_a_kind(const regista_descriptor& a, const regista_descriptor& b) {
   for (int kind = 1; kind < REGISTA_KIND_END; ++kind) {
-    if (implements(a, kind) && implements(b, kind)) return true;
+    if (a.table(kind) != nullptr && b.table(kind) != nullptr) return true;
   }
   return false;
 }
@@ -349,8 +347,8 @@ Looked look_at(std::span<const fs::path> files, std::size_t first, std::vector<S
     return Looked::until_one;
   }
   if (next == files.size()) return Looked::at_all;
-  const bool sound_so_far = std::all_of(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(next),
-                                        [](const ScannedFile& each) { return each.refusal.empty(); });
+  const bool sound_so_far =
+      std::ranges::all_of(std::span(out).first(next), [](const ScannedFile& each) { return each.refusal.empty(); });
   out[next] = refused(child.why_not());
   if (child.killed()) return Looked::until_killed;
   return child.hung() && sound_so_far ? Looked::until_one_that_hung : Looked::until_one;

@@ -108,9 +108,9 @@ std::string uncapped(std::string words) {
   return words;
 }
 
-Json parameter_json(const config::PluginParameter& declared, const plugin::ParameterInfo& info) {
+Json parameter_json(const config::PluginParameter& declared) {
   using Type = config::PluginParameter::Type;
-  Json out{{"name", info.name}, {"type", info.type}};
+  Json out{{"name", declared.name}, {"type", plugin::type_name(declared.type)}};
   switch (declared.type) {
     case Type::real:
       out.update({{"minimum", declared.minimum}, {"maximum", declared.maximum}, {"default", declared.initial}});
@@ -124,14 +124,17 @@ Json parameter_json(const config::PluginParameter& declared, const plugin::Param
       out["default"] = declared.initial != 0.0;
       break;
     case Type::choice:
-      out.update({{"choices", declared.choices}, {"default", info.initial}});
+      out.update({{"choices", declared.choices}, {"default", plugin::default_text(declared)}});
       break;
     case Type::text:
     case Type::file:
-      out["default"] = info.initial;
+      out["default"] = plugin::default_text(declared);
       break;
   }
-  out.update({{"unit", info.unit}, {"tunable", info.tunable}, {"log_scale", info.log_scale}, {"doc", info.doc}});
+  out.update({{"unit", declared.unit},
+              {"tunable", declared.tunable},
+              {"log_scale", declared.log_scale},
+              {"doc", declared.doc}});
   return out;
 }
 
@@ -208,25 +211,19 @@ std::string measure_axis(std::string_view measure, std::size_t longest) {
 }
 
 Json plugin_json(const plugin::Found& plugin) {
-  const plugin::Info info = plugin::info(plugin);
+  const regista_descriptor& d = *plugin.descriptor;
   Json parameters = Json::array();
-  // A plugin has a declaration for each of its kinds. All declarations have the same parameters.
-  const auto declarations = plugin::declarations(std::span(&plugin, 1));
-  if (!declarations.empty()) {
-    for (std::size_t i = 0; i < info.parameters.size(); ++i) {
-      parameters.push_back(parameter_json(declarations.front().parameters[i], info.parameters[i]));
-    }
-  }
-  return {{"id", info.id},
-          {"kinds", info.kinds},
-          {"version", info.version},
-          {"summary", info.summary},
-          {"licence", info.licence},
-          {"build_tag", info.build_tag},
-          {"interface", info.abi},
-          {"file", info.file},
-          {"subjects", info.subjects},
-          {"negotiates", info.negotiates},
+  for (const config::PluginParameter& each : plugin::parameters(plugin)) parameters.push_back(parameter_json(each));
+  return {{"id", d.id},
+          {"kinds", texts::names_of(plugin.description->kinds(), plugin::kind_name)},
+          {"version", d.version},
+          {"summary", d.summary},
+          {"licence", d.licence},
+          {"build_tag", d.build_tag},
+          {"interface", fmt::format("{}.{}", d.abi_major, d.abi_minor)},
+          {"file", plugin.file.string()},
+          {"subjects", plugin::subject_names(plugin.description->subjects())},
+          {"negotiates", plugin::negotiates(plugin)},
           {"parameters", parameters}};
 }
 

@@ -80,7 +80,7 @@ Json tournament_of_version_1(const Json& plan) {
   asked.question = plan.value("question", "");
   Json teams = Json::array();
   for (const Json& each : plan.at("teams")) {
-    asked.teams.push_back({each.at("file").get<std::string>(), each.value("disturbance", ""), {}});
+    asked.teams.push_back({each.at("file").get<std::string>(), each.value("disturbance", "")});
     teams.push_back({{"label", each.at("label")},
                      {"inputs", each.at("inputs")},
                      {"disturbances", Json::parse(each.value("disturbances", "[]"))}});
@@ -198,7 +198,7 @@ Json tuning_of_version_1(const Json& plan) {
   if (!plan.at("minutes").is_null()) asked.search.minutes = plan.at("minutes").get<double>();
   if (plan.at("pairs_for_all").get<bool>()) asked.search.pairs = count("pairs");
   if (count("population") > 0) asked.search.population = count("population");
-  asked.selection = {count("finalists"), count("selection_pairs") * pair * count("finalists"), {}};
+  asked.selection = {count("finalists"), count("selection_pairs") * pair * count("finalists")};
   config::Tuning::Verification& verification = asked.verification;
   verification.candidates = count("candidates");
   const bool head_to_head = plan.at("head_to_head").get<bool>();

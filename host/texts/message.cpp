@@ -13,6 +13,41 @@ namespace {
 
 char lower_letter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
+bool unseen(char32_t code) {
+  const auto within = [code](char32_t low, char32_t high) { return code >= low && code <= high; };
+  const bool control = code < 0x20 || within(0x7f, 0x9f);
+  const bool turns = code == 0x61c || within(0x200e, 0x200f) || within(0x202a, 0x202e) || within(0x2066, 0x2069);
+  const bool no_width = code == 0xad || within(0x200b, 0x200d) || code == 0x2060 || code == 0xfeff;
+  const bool breaks_line = within(0x2028, 0x2029);
+  const bool no_character = within(0xfdd0, 0xfdef) || (code & 0xfffe) == 0xfffe || within(0xfff9, 0xfffb);
+  return control || turns || no_width || breaks_line || no_character;
+}
+
+std::string escape(char32_t code) {
+  if (code == '\n') return "\\n";
+  if (code == '\r') return "\\r";
+  if (code == '\t') return "\\t";
+  const auto number = static_cast<std::uint32_t>(code);
+  return code < 0x100 ? fmt::format("\\x{:02x}", number) : fmt::format("\\u{:04x}", number);
+}
+
+std::string shown(std::string_view text, bool lines, std::size_t most) {
+  std::string out;
+  for (std::size_t count = 0; !text.empty(); ++count) {
+    if (count == most) return out + "...";
+    const Character next = first_character(text);
+    if (next.bytes == 0) {
+      out += "\xef\xbf\xbd";
+    } else if (unseen(next.code) && !(lines && next.code == '\n')) {
+      out += escape(next.code);
+    } else {
+      out += text.substr(0, next.bytes);
+    }
+    text.remove_prefix(std::max<std::size_t>(next.bytes, 1));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string one_line(std::string_view text) { return visible(text); }
@@ -31,6 +66,20 @@ std::string join(std::span<const std::string> names) {
 
 std::string plural(std::uint64_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string with_article(std::string_view noun) {
+  const bool vowel = std::string_view("aeio").find(noun.front()) != std::string_view::npos;
+  return fmt::format("{} {}", vowel ? "an" : "a", noun);
+}
+
+std::string with_backslashes(std::string_view text, std::string_view before) {
+  std::string out;
+  for (const char c : text) {
+    if (before.find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
 }
 
 std::string duration(double seconds) {
@@ -107,45 +156,6 @@ Character first_character(std::string_view text) {
   const bool surrogate = code >= 0xd800 && code < 0xe000;
   return code < least[bytes] || surrogate || code > 0x10ffff ? Character{0, 0} : Character{code, bytes};
 }
-
-namespace {
-
-bool unseen(char32_t code) {
-  const auto within = [code](char32_t low, char32_t high) { return code >= low && code <= high; };
-  const bool control = code < 0x20 || within(0x7f, 0x9f);
-  const bool turns = code == 0x61c || within(0x200e, 0x200f) || within(0x202a, 0x202e) || within(0x2066, 0x2069);
-  const bool no_width = code == 0xad || within(0x200b, 0x200d) || code == 0x2060 || code == 0xfeff;
-  const bool breaks_line = within(0x2028, 0x2029);
-  const bool no_character = within(0xfdd0, 0xfdef) || (code & 0xfffe) == 0xfffe || within(0xfff9, 0xfffb);
-  return control || turns || no_width || breaks_line || no_character;
-}
-
-std::string escape(char32_t code) {
-  if (code == '\n') return "\\n";
-  if (code == '\r') return "\\r";
-  if (code == '\t') return "\\t";
-  const auto number = static_cast<std::uint32_t>(code);
-  return code < 0x100 ? fmt::format("\\x{:02x}", number) : fmt::format("\\u{:04x}", number);
-}
-
-std::string shown(std::string_view text, bool lines, std::size_t most) {
-  std::string out;
-  for (std::size_t count = 0; !text.empty(); ++count) {
-    if (count == most) return out + "...";
-    const Character next = first_character(text);
-    if (next.bytes == 0) {
-      out += "\xef\xbf\xbd";
-    } else if (unseen(next.code) && !(lines && next.code == '\n')) {
-      out += escape(next.code);
-    } else {
-      out += text.substr(0, next.bytes);
-    }
-    text.remove_prefix(std::max<std::size_t>(next.bytes, 1));
-  }
-  return out;
-}
-
-}  // namespace
 
 std::string visible(std::string_view text) { return shown(text, false, std::string_view::npos); }
 std::string visible_lines(std::string_view text) { return shown(text, true, std::string_view::npos); }

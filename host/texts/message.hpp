@@ -23,6 +23,12 @@ std::string join(std::span<const std::string> names);
 // Returns the count with its noun: "1 pair", "3 pairs".
 std::string plural(std::uint64_t count, std::string_view one, std::string_view many);
 
+// Returns a noun with its article: "a team", "an opening". A noun that begins with u gets "a", as in "a utility".
+std::string with_article(std::string_view noun);
+
+// Returns the text with a backslash before each of these characters.
+std::string with_backslashes(std::string_view text, std::string_view before);
+
 // Formats a duration: "45 s", "12 min", "3.5 h".
 std::string duration(double seconds);
 

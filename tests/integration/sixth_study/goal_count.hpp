@@ -51,7 +51,7 @@ inline results::PlannedStudy planned_goal_count(const config::Node& document, co
   GoalCountPlan plan{config::read_document<config::GoalCount>(document), {}};
   config::Tournament schedule;
   schedule.name = plan.asked.name;
-  schedule.teams = {{plan.asked.home, "", {}}, {plan.asked.away, "", {}}};
+  schedule.teams = {{plan.asked.home, ""}, {plan.asked.away, ""}};
   schedule.pairs = plan.asked.pairs;
   schedule.settings = plan.asked.settings;
   const config::Node document_of_schedule = config::parse_text(config::document_text(schedule), "goal_count");

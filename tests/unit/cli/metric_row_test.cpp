@@ -78,7 +78,7 @@ TEST_F(MetricRow, IsStored) {
 TEST_F(MetricRow, StandsOnThePageOfATournament) {
   study::TournamentPlan plan;
   plan.asked.name = "trial";
-  plan.asked.teams = {{"a.yaml", "", {}}, {"b.yaml", "", {}}};
+  plan.asked.teams = {{"a.yaml", ""}, {"b.yaml", ""}};
   plan.asked.pairs = 1;
   plan.teams = {{"a", {{"team", "1"}}}, {"b", {{"team", "2"}}}};
   plan.most_goals = 10;

@@ -29,7 +29,7 @@ class Garden : public testing::Test {
     water.run = [] { return 7; };
     program_.add("rest", "do nothing").run = [] { return 8; };
     Command& dig = program_.add("dig", "for the program itself");
-    dig.hide();
+    dig.hidden = true;
     dig.run = [] { return 9; };
     program_.answer_version("garden 1");
   }

@@ -84,10 +84,12 @@ TEST(Show, ParametersOfDeclaredPlugins) {
         {.name = "label", .type = Type::text, .doc = "any", .initial_text = "a: b"},
         {.name = "weights", .type = Type::file, .doc = "none by default"}}},
   };
-  const std::string page = show(project / "tests/fixtures/config/team.yaml", {"sender.params.strange=[1]"}, plugins);
+  const std::string page =
+      show(load(project / "tests/fixtures/config/team.yaml", {"sender.params.strange=[1]"}), plugins);
   const Node params = parse_text(page, "shown.yaml")["sender"]["params"];
   EXPECT_EQ(flow(params), "{period: 10, reserve: 30, whistle: true, mode: fast, label: \"a: b\", strange: [1]}");
-  const std::string other = show(project / "tests/fixtures/config/team.yaml", {"sender.params.weights=w.txt"}, plugins);
+  const std::string other =
+      show(load(project / "tests/fixtures/config/team.yaml", {"sender.params.weights=w.txt"}), plugins);
   EXPECT_EQ(parse_text(other, "shown.yaml")["sender"]["params"]["weights"].text(),
             (std::filesystem::current_path() / "w.txt").string());
   EXPECT_NE(page.find("    period: 10                                # s, at the latest; default\n"), std::string::npos)

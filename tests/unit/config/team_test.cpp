@@ -131,7 +131,7 @@ TEST_F(TeamFiles, PinnedPluginsAreFoundBesideTheFileThatNamesThem) {
   EXPECT_EQ(team.contexts[0].sender.file, (folder_ / "other.so").string()) << "relative to the current folder";
   EXPECT_EQ(team.contexts[0].terms[0].use.file, "");
   // What is shown names them absolutely, so it can be kept anywhere.
-  EXPECT_EQ(read_document<Team>(parse_text(show("top.yaml"), "elsewhere/shown.yaml")).contexts[0].assigner.file,
+  EXPECT_EQ(read_document<Team>(parse_text(show(load("top.yaml")), "elsewhere/shown.yaml")).contexts[0].assigner.file,
             team.contexts[0].assigner.file);
   EXPECT_EQ(error_of([] { read_document<Team>("top.yaml", {"sender.file=othr.so"}); }),
             "--set sender.file=othr.so: sender.file: othr.so: no such file; nearest: \"other.so\"");

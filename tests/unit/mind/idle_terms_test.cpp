@@ -13,7 +13,7 @@ namespace {
 config::UtilityTerm term(std::string name, std::string plugin, double weight, int line) {
   config::PluginUse used = use(std::move(plugin));
   used.where = {"team.yaml", line, 5};
-  return {std::move(name), std::move(used), weight, {}, {}};
+  return {std::move(name), std::move(used), weight, {}};
 }
 
 config::Team team_of(std::vector<config::UtilityTerm> terms, const char* assigner = "in_order") {

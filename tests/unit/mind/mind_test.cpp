@@ -137,7 +137,7 @@ TEST(MindTest, TeammatesHearEachOtherAndAgree) {
 
 TEST(MindTest, PluginsMayAskWhatWasSaidAsItWasSaid) {
   config::Team page = team();
-  page.contexts[0].terms.push_back({"asker", use("asker"), 0.1, {}, {}});
+  page.contexts[0].terms.push_back({"asker", use("asker"), 0.1, {}});
   page.role_lists[0].roles[0].group = 4;
   page.role_lists[0].roles[1].offset = false;
   const auto plan = plan_of(page);

@@ -51,8 +51,8 @@ inline config::Context context(std::string name, std::vector<std::pair<std::stri
   out.name = std::move(name);
   out.use = use("window", std::move(window));
   out.positioner = use("triangle");
-  out.terms.push_back({"nearness", use("nearness"), 0.7, {}, {}});
-  out.terms.push_back({"gossip", use("gossip"), 0.0, {}, {}});
+  out.terms.push_back({"nearness", use("nearness"), 0.7, {}});
+  out.terms.push_back({"gossip", use("gossip"), 0.0, {}});
   out.assigner = use("in_order");
   out.sender = use("steady");
   return out;

@@ -50,7 +50,7 @@ TEST(UnsendableSegments, OfTwoOfOnePluginTheOneThatOffersThemIsNamed) {
   config::Team page = team();
   page.contexts[0].terms[1].use = use("gossip", {{"length", "1"}});
   page.contexts[0].terms[1].use.where = {"team.yaml", 7, 3};
-  page.contexts[0].terms.push_back({"louder", use("gossip", {{"length", "200"}}), 0.1, {}, {}});
+  page.contexts[0].terms.push_back({"louder", use("gossip", {{"length", "200"}}), 0.1, {}});
   page.contexts[0].terms[2].use.where = {"team.yaml", 8, 3};
   const auto plan = plan_of(page);
   const auto found = unsendable_segment_warnings(*plan, unsendable_segments(*plan));

@@ -283,7 +283,7 @@ TEST_F(DescriptorTest, StepsOverParametersByTheirStride) {
 
 TEST_F(DescriptorTest, NamesKindsAndSubjects) {
   EXPECT_EQ(Description(Puppet::descriptor()).kinds(), (std::vector<int>{1, 2, 3, 4, 5, 6, 7}));
-  EXPECT_EQ(kind_with_article(REGISTA_KIND_ASSIGNER), "an assigner");
+  EXPECT_EQ(texts::with_article(kind_name(REGISTA_KIND_ASSIGNER)), "an assigner");
   EXPECT_EQ(subject_names(REGISTA_SUBJECT_BALL), "ball");
   EXPECT_EQ(subject_names(REGISTA_SUBJECT_SELF | REGISTA_SUBJECT_TEAMMATES), "self, teammates");
 }

@@ -43,9 +43,9 @@ TEST(Info, IsAPageAboutAPlugin) {
 }
 
 TEST(Info, TellsNegotiatorsFromOthers) {
-  EXPECT_TRUE(info(open("sound", 1)).negotiates);
-  EXPECT_FALSE(info(open("throws")).negotiates);
-  EXPECT_EQ(info(open("sound", 1)).subjects, "");
+  EXPECT_TRUE(negotiates(open("sound", 1)));
+  EXPECT_FALSE(negotiates(open("throws")));
+  EXPECT_EQ(subject_names(open("sound", 1).description->subjects()), "");
   EXPECT_NE(info_text(open("sound", 1)).find("parameters: none\n"), std::string::npos);
 }
 

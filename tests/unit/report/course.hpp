@@ -39,7 +39,7 @@ struct Course {
     plan.asked.name = "trial";
     plan.asked.settings.seeds = config::Seeds::consecutive;
     for (std::string& label : labels) {
-      plan.asked.teams.push_back({label + ".yaml", "", {}});
+      plan.asked.teams.push_back({label + ".yaml", ""});
       plan.teams.push_back({label, {{"team", "hash of " + label}}});
     }
     plan.asked.pairs = static_cast<int>(pairs);

@@ -37,7 +37,7 @@ inline TournamentPlan plan_of(std::size_t teams, std::uint64_t pairs, const Obje
   plan.asked.settings.seeds = config::Seeds::consecutive;
   for (std::size_t team = 0; team < teams; ++team) {
     const std::string number = std::to_string(team);
-    plan.asked.teams.push_back({number + ".yaml", "", {}});
+    plan.asked.teams.push_back({number + ".yaml", ""});
     plan.teams.push_back({"team " + number, {{"team " + number + ".yaml", "hash " + number}}});
   }
   plan.asked.pairs = static_cast<int>(pairs);

@@ -32,7 +32,7 @@ TuningPlan every_value() {
   asked.verification.candidates = 2;
   asked.verification.against = config::Tuning::Against::base;
   asked.verification.confidence = 0.99;
-  asked.slices = {5, 4, {}};
+  asked.slices = {5, 4};
   asked.settings.limits.processor_seconds = 3;
   asked.settings.limits.memory = 1024;
   asked.settings.rules = "rules.yaml";
