@@ -13,7 +13,6 @@
 #include <memory>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "campaign/fork_server.hpp"
 #include "campaign/match_run.hpp"

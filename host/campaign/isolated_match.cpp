@@ -10,8 +10,10 @@
 #include <csignal>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "match/digest.hpp"
+#include "match/teams.hpp"
 #include "mind/serialization.hpp"
 #include "process/child.hpp"
 #include "process/watch.hpp"

@@ -8,18 +8,15 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "campaign/job.hpp"
 #include "campaign/mind_host.hpp"
 #include "campaign/worker.hpp"
 #include "match/match.hpp"
-#include "match/teams.hpp"
 #include "mind/team_plan.hpp"
 #include "plugin/call_inputs.hpp"
 

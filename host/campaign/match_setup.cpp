@@ -16,7 +16,6 @@
 #include "config/profiles.hpp"
 #include "config/read.hpp"
 #include "config/renamed_keys.hpp"
-#include "config/rules.hpp"
 #include "config/scalar.hpp"
 #include "match/teams.hpp"
 #include "process/child.hpp"

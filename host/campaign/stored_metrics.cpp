@@ -11,7 +11,6 @@
 #include "campaign/match_encoding.hpp"
 #include "campaign/stored_row.hpp"
 #include "match/side.hpp"
-#include "mcap/encoding.hpp"
 
 namespace regista::campaign {
 namespace {

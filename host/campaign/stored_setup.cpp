@@ -11,7 +11,6 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 #include "campaign/match_inputs.hpp"
 #include "campaign/stored_row.hpp"

@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "campaign/match_setup.hpp"
 #include "cluster/batch.hpp"
-#include "cluster/study_folder.hpp"
 #include "command/terminal.hpp"
 #include "config/scalar.hpp"
 #include "output/output_files.hpp"

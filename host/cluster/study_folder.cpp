@@ -9,11 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
-#include <filesystem>
 #include <fstream>
-#include <optional>
-
 #include <stdexcept>
 #include <string_view>
 #include <system_error>

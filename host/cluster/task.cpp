@@ -7,26 +7,21 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "cluster/step.hpp"
-#include "cluster/study_folder.hpp"
 #include "command/terminal.hpp"
 #include "output/replaced_file.hpp"
 #include "results/results_file.hpp"
-#include "study/study.hpp"
-#include "texts/json.hpp"
 
 namespace regista::cluster {
 

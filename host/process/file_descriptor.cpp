@@ -9,10 +9,7 @@
 
 #include <array>
 #include <cassert>
-#include <cerrno>
 #include <cstring>
-#include <string>
-#include <system_error>
 
 namespace regista::process {
 namespace {

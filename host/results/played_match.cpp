@@ -8,17 +8,14 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "campaign/engine.hpp"
 #include "campaign/match_encoding.hpp"
 #include "campaign/match_inputs.hpp"
-#include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
 #include "config/scalar.hpp"
 #include "match/game_state.hpp"

@@ -4,15 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <memory>
-#include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,13 +17,11 @@
 #include "config/overlay.hpp"
 #include "match/side.hpp"
 #include "mcap/file_io.hpp"
-#include "output/replaced_file.hpp"
 #include "process/file_descriptor.hpp"
 #include "recording/match_page.hpp"
 #include "recording/packed_recording.hpp"
 #include "recording/recorded_match.hpp"
 #include "recording/recording_metadata.hpp"
-#include "report/matches_section.hpp"
 #include "report/outline.hpp"
 #include "results/played_match.hpp"
 #include "results/results_file.hpp"

@@ -4,24 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
-#include <span>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "campaign/match_inputs.hpp"
-#include "campaign/stored_setup.hpp"
 #include "command/terminal.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "output/replaced_file.hpp"
 #include "process/child.hpp"
-#include "study/study.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 

@@ -14,14 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/engine.hpp"
 #include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
 #include "output/replaced_file.hpp"
 #include "process/child.hpp"
 #include "results/replay.hpp"
 #include "results/results_file.hpp"
-#include "study/study.hpp"
 #include "texts/message.hpp"
 
 namespace regista::results {
