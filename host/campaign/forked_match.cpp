@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/forked_match.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -19,8 +18,6 @@
 
 #include "plugin/fatal_signal.hpp"
 #include "process/child.hpp"
-#include "process/file_descriptor.hpp"
-#include "process/watch.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -137,26 +134,14 @@ process::ProcessEnd watch_over(process::Child& child, const Shared& shared, cons
     if (call.inside == 0) watch.pause();  // no limit between calls: the copy may wait for the reader of its output
     const process::Exceeded exceeded = watch.look(call, call.inside == 1, child.process());
     if (exceeded == process::Exceeded::nothing || !too_long.empty()) continue;
-    too_long = exceeded == process::Exceeded::wall_time ? process::did_not_return(limits.wall_seconds)
-                                                        : process::used_processor_time(limits.processor_seconds);
+    too_long = watch.in_words(exceeded);
     child.kill();
   }
 }
 
 }  // namespace
 
-StandardOutputKept::StandardOutputKept() : kept_(-1) {
-  std::fflush(stdout);
-  kept_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 10);
-  if (kept_ != -1) ::dup2(STDERR_FILENO, STDOUT_FILENO);
-}
-
-StandardOutputKept::~StandardOutputKept() {
-  if (kept_ == -1) return;
-  std::fflush(stdout);
-  ::dup2(kept_, STDOUT_FILENO);
-  ::close(kept_);
-}
+process::RedirectedStream keep_standard_output() { return {STDOUT_FILENO, STDERR_FILENO}; }
 
 int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   process::SharedMemory<Shared> shared(process::for_copies);

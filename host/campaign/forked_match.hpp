@@ -8,6 +8,7 @@
 
 #include "campaign/job.hpp"
 #include "campaign/worker.hpp"
+#include "process/file_descriptor.hpp"
 
 namespace regista::campaign {
 
@@ -38,16 +39,7 @@ struct SupervisedWork {
 // copy has started. This process must have no threads and no other children.
 int run_supervised(const Limits& limits, const SupervisedWork& supervised);
 
-// While this object exists, standard output is redirected to standard error, because standard output is for results.
-class StandardOutputKept {
- public:
-  StandardOutputKept();
-  ~StandardOutputKept();
-  StandardOutputKept(const StandardOutputKept&) = delete;
-  StandardOutputKept& operator=(const StandardOutputKept&) = delete;
-
- private:
-  int kept_;
-};
+// While the returned object exists, standard output leads to standard error, because standard output is for results.
+process::RedirectedStream keep_standard_output();
 
 }  // namespace regista::campaign

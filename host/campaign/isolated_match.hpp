@@ -8,17 +8,15 @@
 #pragma once
 
 #include <array>
-#include <functional>
-#include <span>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "campaign/decision_trail.hpp"
 #include "campaign/job.hpp"
-#include "campaign/mind_host.hpp"
 #include "campaign/worker.hpp"
 #include "match/match.hpp"
 #include "mind/team_plan.hpp"
-#include "plugin/call_inputs.hpp"
 
 namespace regista::campaign {
 
@@ -29,15 +27,12 @@ struct Fault : std::runtime_error {
   bool from_outside;  // true: the cause may be a signal from people or the system (End::How), or the machine
 };
 
-// Called with the answers of plugins in each decision, in the order of the match. May be empty.
-using AfterAnswers = std::function<void(const match::Decision&, std::span<const plugin::CallAnswer>)>;
-
-// Plays `setup` as match::play(setup, plans) does. The function copies the calling process, which must have no threads
-// and must have loaded no plugin. `note` receives the process groups, and the first try of a confined mind to reach
+// Plays `setup` as match::play(setup, plans) does, with the separation, limits and inspection of `job`. The function
+// copies the calling process, which must have no threads and must have loaded no plugin. `trail` receives the answers
+// of plugins if the job has a trail. `note` receives the process groups, and the first try of a confined mind to reach
 // outside of its process. `kept` receives the names of variables of plugin files that confined minds
 // (process/confinement.hpp) have changed, one line; usually empty. Throws Fault, and the exceptions of match::play.
-match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
-                            Separation separation, const Limits& limits, const Examination& examination,
-                            const AfterAnswers& after, WorkerNote& note, std::string& kept);
+match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
+                            std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept);
 
 }  // namespace regista::campaign

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/match_inputs.hpp"
 #include "match/metric_numbers.hpp"
 #include "plugin/call_inputs.hpp"
 
@@ -57,16 +56,27 @@ enum class Separation {
   robots,  // one process for each robot
 };
 
-// A match, described by the inputs of `regista match`. Paths are relative to the folder in which the campaign started.
-struct Job {
-  std::array<std::string, 2> teams;       // files: home, away
+// One input of a match, for example {"plugin greedy (lib/greedy.so)", "greedy 9f2c..."}.
+struct Input {
+  std::string name, hash;
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+// The options of `regista match` that both teams share.
+struct MatchConditions {
   std::string rules, robot, disturbance;  // files; empty: the built-in values
   // Files: the disturbance of one side, used instead of `disturbance`; empty: the side has `disturbance`.
   std::string home_disturbance, away_disturbance;
+  std::string opening;  // file of the opening scene; empty: the match starts from kick-off
+  std::string limit;    // simulated seconds, as typed; empty: no limit, or the opening's length
+  friend bool operator==(const MatchConditions&, const MatchConditions&) = default;
+};
+
+// A match, described by the inputs of `regista match`. Paths are relative to the folder in which the campaign started.
+struct Job : MatchConditions {
+  std::array<std::string, 2> teams;    // files: home, away
   std::vector<std::string> overrides;  // values of --set, as `regista match` reads them
   std::vector<std::string> plugins;    // folders of --plugins
-  std::string opening;                 // file of the opening scene; empty: the match starts from kick-off
-  std::string limit;                   // simulated seconds, as typed; empty: no limit, or the opening's length
   std::uint64_t seed = 1;
   std::string record;            // file for the worker's recording, replaced if it exists; empty: none; not in the key
   bool expects_failure = false;  // true: the worker saves its recording more often, because it will probably die
@@ -83,7 +93,7 @@ struct Job {
   std::string root;
   // Files of the plugins of the job's teams, found in the plugin folders; empty: the worker searches the folders.
   std::vector<std::string> plugin_files;
-  // The inputs of the match (match_inputs.hpp). A worker does not play if the files hold other inputs.
+  // The inputs of the match (match_setup.hpp). A worker does not play if the files hold other inputs.
   std::vector<Input> home_inputs, away_inputs, common_inputs;
   friend bool operator==(const Job&, const Job&) = default;
 };

@@ -96,11 +96,8 @@ void MatchRun::start(Stage stage) {
   } else {
     ++plays_;
   }
-  if (job.trail) {
-    if (!trail_) trail_ = std::make_unique<TrailFile>();
-    trail_->clear();
-  }
-  worker_ = std::make_unique<Worker>(job, limits_, note_, job.trail ? trail_->descriptor() : -1, server_);
+  if (job.trail && !trail_.is_open()) trail_ = trail_file();
+  worker_ = std::make_unique<Worker>(job, note_, job.trail ? trail_.number : -1, server_);
 }
 
 bool MatchRun::advance() {
@@ -162,6 +159,7 @@ void MatchRun::settle() {
 }
 
 void MatchRun::played(const Answer& answer) {
+  const auto difference = [this] { return first_difference(first_trail_, process::everything_in(trail_.number)); };
   switch (stage_) {
     case Stage::first:
       not_recorded_ = answer.message;
@@ -187,12 +185,12 @@ void MatchRun::played(const Answer& answer) {
       return;
     case Stage::traced: {
       const bool same = same_match(*first_, answer.decided);
-      first_trail_ = trail_->content();
+      first_trail_ = process::everything_in(trail_.number);
       start(same ? Stage::traced_alone : Stage::traced_here);
       return;
     }
     case Stage::traced_here:
-      first_->irreproducible = first_difference(first_trail_, trail_->content());
+      first_->irreproducible = difference();
       decide_different();
       return;
     case Stage::traced_alone:
@@ -200,11 +198,11 @@ void MatchRun::played(const Answer& answer) {
         start(Stage::traced_hiding);
         return;
       }
-      first_->shared = first_difference(first_trail_, trail_->content());
+      first_->shared = difference();
       decide_different();
       return;
     case Stage::traced_hiding:
-      first_->irreproducible = first_difference(first_trail_, trail_->content());
+      first_->irreproducible = difference();
       if (!first_->irreproducible.empty())
         first_->irreproducible += ", where what it does not declare to read is left out";
       decide_different();

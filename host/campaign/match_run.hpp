@@ -79,7 +79,7 @@ class MatchRun {
   std::vector<std::pair<std::string, plugin::FileStamp>> plugin_files_;  // stamps made before the files were opened
   Stage stage_ = Stage::first;
   SharedNote note_;
-  std::unique_ptr<TrailFile> trail_;
+  process::FileDescriptor trail_;
   std::string first_trail_;
   std::optional<Failure> second_failure_;
   std::size_t killed_ = 0;  // number of plays after the first that were killed from outside

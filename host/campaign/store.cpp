@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t most_named = 10;  // largest number of damaged rows that a message names
 
-std::string tables() { return StoredFixtures::tables + StoredMatches::tables() + StoredDocuments::tables; }
+std::string tables() { return StoredFixtures::tables + StoredMatches::tables() + documents_table; }
 
 constexpr auto between_tries = std::chrono::milliseconds(100);
 constexpr auto usual_patience = std::chrono::seconds(5);
@@ -84,10 +84,7 @@ auto guarded(Impl& parts, Work work) {
 
 struct Store::Impl {
   Impl(const std::filesystem::path& path, Mode mode, const std::string& version, Journal journal)
-      : file(path, mode, version, tables(), journal),
-        fixtures(file.database()),
-        documents(file.database()),
-        matches(opened(file)) {}
+      : file(path, mode, version, tables(), journal), fixtures(file.database()), matches(opened(file)) {}
 
   // Refuses a file of this program in which another program has changed the tables.
   static StoredMatches opened(StoreFile& file) {
@@ -186,7 +183,6 @@ struct Store::Impl {
 
   StoreFile file;
   StoredFixtures fixtures;
-  StoredDocuments documents;
   StoredMatches matches;
   bool reading = false;
   std::deque<Waiting> waiting;
@@ -221,11 +217,11 @@ std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
 }
 
 void Store::keep(std::span<const Document> documents) {
-  guarded(*parts_, [&] { parts_->write([&] { parts_->documents.keep(documents); }); });
+  guarded(*parts_, [&] { parts_->write([&] { write_documents(parts_->file.database(), documents); }); });
 }
 
 std::vector<Document> Store::documents() const {
-  return guarded(*parts_, [&] { return parts_->documents.all(); });
+  return guarded(*parts_, [&] { return read_documents(parts_->file.database()); });
 }
 
 std::optional<MatchResult> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {

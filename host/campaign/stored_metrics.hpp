@@ -66,20 +66,20 @@ class StoredMetrics {
   void write(std::int64_t row, const match::MetricNumbers& numbers);
 
   // The numbers of a row as stored, for a copy to another file. `frame` is valid until the next row is read. packed()
-  // throws DamagedRow if the row has no numbers or its checksum does not fit.
+  // returns nothing if the row has no numbers, and throws DamagedRow if the checksum does not fit.
   struct Packed {
     std::int64_t names = 0;  // id of the names of the numbers in the table metric_names of this file
     std::int64_t size = 0;
     std::string_view frame;
   };
-  Packed packed(std::int64_t row);
+  std::optional<Packed> packed(std::int64_t row);
   // Returns the names with the id `names` as text. Throws a DamagedRow for `row` if this text is damaged or missing.
   std::string text_of_names(std::int64_t row, std::int64_t names);
   // Returns the id of a text of names in this file; adds the text if it is new. Must be called within a transaction.
   // Throws std::invalid_argument if the text is not a list of names.
   std::int64_t number_of_names(const std::string& text);
-  // Writes numbers of another file. names: id of their names in this file. Must be called within a transaction.
-  void write(std::int64_t row, const Packed& numbers, std::int64_t names);
+  // Writes packed numbers; `names` is the id of their names in this file. Must be called within a transaction.
+  void write(std::int64_t row, const Packed& numbers);
 
   // Returns the paths of all metrics in rows 1 to `rows`, each once, in order of first appearance. Throws DamagedRow.
   match::MetricPaths paths(std::int64_t rows);
@@ -88,13 +88,11 @@ class StoredMetrics {
 
  private:
   using Names = std::shared_ptr<const match::MetricNames>;
-  std::optional<Packed> find(std::int64_t row);
   std::string text(std::int64_t id);
   const Names& names_under(std::int64_t row, std::int64_t id);
   std::optional<std::int64_t> id_of_text(const std::string& text);
   std::int64_t add(const std::string& text);
   std::int64_t id_of(const Names& names);
-  void put(std::int64_t row, std::int64_t id, std::int64_t size, std::string_view frame);
 
   SQLite::Database& database_;
   RowsInOrder rows_;

@@ -30,29 +30,20 @@ struct Document {
   friend bool operator==(const Document&, const Document&) = default;
 };
 
-class StoredDocuments {
- public:
-  static constexpr auto tables = R"(
+// The table of documents. All functions throw SQLite::Exception.
+inline constexpr auto documents_table = R"(
     CREATE TABLE IF NOT EXISTS documents(
       path TEXT PRIMARY KEY,
       size INTEGER,
       content BLOB,
       checksum INTEGER NOT NULL
     ) WITHOUT ROWID;)";
-
-  // `database` must outlive this object. All functions throw SQLite::Exception.
-  explicit StoredDocuments(SQLite::Database& database) : database_(database) {}
-
-  // Replaces all stored documents. A study that was killed before its first match begins again and calls keep() again.
-  // The caller must have begun a transaction.
-  void keep(std::span<const Document> documents);
-  // Returns all documents, sorted by path; empty if an older program made the file. Throws std::invalid_argument if a
-  // document is damaged.
-  std::vector<Document> all();
-
- private:
-  SQLite::Database& database_;
-};
+// Replaces all stored documents, within a transaction of the caller. A study that was killed before its first match
+// begins again and calls write_documents() again.
+void write_documents(SQLite::Database& database, std::span<const Document> documents);
+// Returns all documents, sorted by path; empty if an older program made the file. Throws std::invalid_argument if a
+// document is damaged.
+std::vector<Document> read_documents(SQLite::Database& database);
 
 // A match without its seed. key: see fixture_key(). The seed in `job` has no meaning.
 struct Fixture {
@@ -116,9 +107,6 @@ class DocumentCopies {
   // Returns the copy of the folder `given_in`, an absolute path; creates the copy if it is missing. Relative names that
   // were given in `given_in` must be read in this copy.
   std::filesystem::path folder(const std::filesystem::path& given_in) const;
-
-  // Returns in_copies() of the job. The files of this job must be read in folder(given_in).
-  Job job(Job job, const std::filesystem::path& given_in) const;
 
  private:
   std::filesystem::path at(const std::filesystem::path& path) const;

@@ -9,7 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,7 +20,6 @@
 #include "plugin/fatal_signal.hpp"
 #include "process/child.hpp"
 #include "process/file_descriptor.hpp"
-#include "process/watch.hpp"
 
 namespace regista::campaign {
 
@@ -73,12 +71,11 @@ process::Setting worker_setting(const WorkerFiles& files, const Limits& limits);
 // The limits of stack and address space for a process that opens plugins.
 inline process::Limits memory_limits(const Limits& limits) { return {.memory = limits.memory, .small_stack = true}; }
 
-// Returns the environment for programs that play matches: the environment of this process and the variables `more`
-// ("NAME=VALUE"), with a null at the end. With Pages::large, the C library also asks the system for large pages: with
-// usual pages, page faults in some megabytes of new memory take a fifth of a game's processor time
-// (benchmarks/campaign/fork_server.py).
-enum class Pages { large, usual };
-std::vector<char*> environment_with(std::initializer_list<const char*> more, Pages pages = Pages::large);
+// Returns the environment for programs that play matches, with a null at the end: the environment of this process, and
+// a variable by which the C library asks the system for large pages. With usual pages, page faults in some megabytes of
+// new memory take a fifth of a game's processor time (benchmarks/campaign/fork_server.py). A perturbed play has usual
+// pages, and another variable that moves the addresses of its memory.
+std::vector<char*> environment(bool perturbed);
 
 // --- For the coordinator
 
@@ -107,10 +104,10 @@ class ForkServer;
 // A running worker. Its functions never block.
 class Worker {
  public:
-  // Starts a worker. `note` is cleared and must outlive the worker. trail: descriptor of the file for the trail; -1: no
-  // trail. server: a fork server, which starts the worker faster; null: no server. Throws std::system_error if the
-  // process cannot be started.
-  Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1, ForkServer* server = nullptr);
+  // Starts a worker. `note` is cleared and must outlive the worker. trail: descriptor of the file for the trail, which
+  // is emptied; -1: no trail. server: a fork server, which starts the worker faster; null: no server. Throws
+  // std::system_error if the process cannot be started.
+  Worker(const Job& job, SharedNote& note, int trail, ForkServer* server);
   // Kills the worker if it still runs.
   ~Worker();
   Worker(const Worker&) = delete;

@@ -52,7 +52,7 @@ std::vector<std::string> plugin_files_of(study::Study& study, const results::Inv
   const std::vector<campaign::Job> jobs = results::first_jobs(study);
   if (jobs.empty()) throw BadInput("run: the study asks for no match");
   const plugin::Catalogue catalogue = results::open_plugins(jobs.front().plugins, invocation);
-  for (const campaign::Job& each : jobs) campaign::match_setup(campaign::request_of(each), catalogue);
+  for (const campaign::Job& each : jobs) campaign::match_setup(each, catalogue);
   std::vector<std::string> out;
   for (const std::string& each : catalogue.used_files()) out.push_back(fs::absolute(each).lexically_normal().string());
   return out;
@@ -84,7 +84,7 @@ void lay_out(const StudyFolder& folder, Settings settings, const results::Invoca
   std::error_code none;
   fs::create_directories(folder.copy_of(given_in), none);
   folder.copy_in(files);
-  folder.write_plan(store, REGISTA_VERSION);
+  folder.write_plan(store);
   folder.write(settings);
   write_scripts(folder);
 }

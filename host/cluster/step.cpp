@@ -11,7 +11,6 @@
 #include <thread>
 #include <utility>
 
-#include "campaign/match_inputs.hpp"
 #include "campaign/match_setup.hpp"
 #include "cluster/batch.hpp"
 #include "command/terminal.hpp"
@@ -199,7 +198,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
   const bool has_batch = !progress.batches.empty();
   find_unnoted_jobs(folder, settings, progress);
   const bool array_lives = has_batch && !alive({progress.batches.back().array_job}).empty();
-  out.gathered = gather(folder, results, array_lives ? Tasks::ended : Tasks::killed_too, REGISTA_VERSION);
+  out.gathered = gather(folder, results, array_lives ? Tasks::ended : Tasks::killed_too);
   keep_remarks(out.gathered, progress);
   folder.write(progress);  // written now, because the following calls may throw
   const auto report = results::stored_study(folder.results().string(), results, {}, invocation.studies);
@@ -244,7 +243,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
       std::error_code none;
       if (has_batch) fs::remove(folder.known_before(progress.batches.size()), none);
       if (results::stored_plan(results::read_results(folder.plan().string())) != results::stored_plan(results))
-        folder.write_plan(results, REGISTA_VERSION);  // the user has added pairs to the study
+        folder.write_plan(results);  // the user has added pairs to the study
       submit_next(folder, settings, missing, progress.rows, progress);
       out.submitted = progress.batches.back().matches;
       out.plays = true;

@@ -32,12 +32,9 @@ int read_once(const std::filesystem::path& file, std::string& out) {
   if (opened.number == -1) return errno;
   std::array<char, 65536> part;
   for (;;) {
-    const ssize_t size = ::read(opened.number, part.data(), part.size());
-    if (size == 0) return 0;
-    if (size > 0)
-      out.append(part.data(), static_cast<std::size_t>(size));
-    else if (errno != EINTR)
-      return errno;
+    const ssize_t size = process::uninterrupted([&] { return ::read(opened.number, part.data(), part.size()); });
+    if (size <= 0) return size == 0 ? 0 : errno;
+    out.append(part.data(), static_cast<std::size_t>(size));
   }
 }
 
@@ -162,13 +159,13 @@ void StudyFolder::write(const Progress& progress) const {
   write_description(*this, settings(), progress, output::Existing::replaced);
 }
 
-void StudyFolder::write_plan(const campaign::Store& results, const std::string& program_version) const {
+void StudyFolder::write_plan(const campaign::Store& results) const {
   using campaign::Store;
   const fs::path fresh = plan().string() + ".new";
   std::error_code error;
   fs::remove(fresh, error);
   {
-    Store store(fresh, Store::Mode::create, program_version, campaign::Journal::rollback);
+    Store store(fresh, Store::Mode::create, REGISTA_VERSION, campaign::Journal::rollback);
     store.keep(results.documents());
     for (const char* each : {"documents", "schedule"}) store.set_meta(each, results.meta(each));
   }
@@ -189,8 +186,6 @@ campaign::Job StudyFolder::of_copies(campaign::Job job, const fs::path& given_in
 }
 
 namespace {
-
-constexpr const char *whole = ".db", *under_way = ".db.part", *progress_ending = ".txt", *refusal_ending = ".refused";
 
 struct Named {
   TaskName task;
@@ -254,15 +249,14 @@ void set_aside(const StudyFolder& folder, const fs::path& file) {
 
 class Gathering {
  public:
-  Gathering(const StudyFolder& folder, campaign::Store& results, std::string version)
-      : folder_(folder), results_(results), version_(std::move(version)) {}
+  Gathering(const StudyFolder& folder, campaign::Store& results) : folder_(folder), results_(results) {}
 
   Gathered all(Tasks tasks) {
-    for (const Named& each : files_of(folder_, whole)) take(each, tasks);
+    for (const Named& each : files_of(folder_, ".db")) take(each, tasks);
     if (tasks == Tasks::killed_too) {
-      for (const Named& each : files_of(folder_, under_way)) take(each, tasks);
+      for (const Named& each : files_of(folder_, ".db.part")) take(each, tasks);
     }
-    for (const Named& each : files_of(folder_, refusal_ending)) take_refusal(each);
+    for (const Named& each : files_of(folder_, ".refused")) take_refusal(each);
     return std::move(out_);
   }
 
@@ -276,7 +270,7 @@ class Gathering {
     try {
       // The store is opened for writing, because this undoes half-written data of a killed task and detects a running
       // task. The store stays open until its file has been moved away.
-      const Store store(part.path, Store::Mode::open, version_, campaign::Journal::rollback);
+      const Store store(part.path, Store::Mode::open, REGISTA_VERSION, campaign::Journal::rollback);
       const campaign::Taken taken = taken_of(store);
       out_.rows += taken.rows;
       out_.refused += taken.refused;
@@ -339,9 +333,10 @@ class Gathering {
 
   const StudyFolder& folder_;
   campaign::Store& results_;
-  std::string version_;
   Gathered out_;
 };
+
+std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 void replace(const fs::path& file, const std::string& text) {
   const fs::path fresh = file.string() + ".new";
@@ -352,13 +347,13 @@ void replace(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version) {
-  return Gathering(folder, results, program_version).all(tasks);
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks) {
+  return Gathering(folder, results).all(tasks);
 }
 
 std::vector<TaskProgress> task_progress(const StudyFolder& folder) {
   std::vector<TaskProgress> out;
-  for (const Named& each : files_of(folder, progress_ending)) {
+  for (const Named& each : files_of(folder, ".txt")) {
     try {
       out.push_back(progress_from_json(told_in(each.path)));
     } catch (const std::invalid_argument&) {
@@ -369,9 +364,7 @@ std::vector<TaskProgress> task_progress(const StudyFolder& folder) {
 }
 
 void write_refusal(const StudyFolder& folder, const TaskName& task, const std::string& node, const std::string& why) {
-  replace(folder.refusal(task), nlohmann::ordered_json{{"node", node}, {"why", why}}.dump(
-                                    -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                                    '\n');
+  replace(folder.refusal(task), line(Json{{"node", node}, {"why", why}}));
 }
 
 void write_progress(const StudyFolder& folder, const TaskName& task, const TaskProgress& progress) {
@@ -379,7 +372,7 @@ void write_progress(const StudyFolder& folder, const TaskName& task, const TaskP
 }
 
 std::string to_json(const TaskProgress& progress) {
-  return nlohmann::json(progress).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  return line(Json(progress));
 }
 
 TaskProgress progress_from_json(const std::string& text) {

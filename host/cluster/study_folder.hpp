@@ -117,7 +117,7 @@ class StudyFolder {
   // Returns the path of the copy of `file`, an absolute path.
   std::filesystem::path copy_of(const std::filesystem::path& file) const { return files() / file.relative_path(); }
   // Writes plan.db: the content of `results` without the matches. Throws campaign::StoreError, WriteError.
-  void write_plan(const campaign::Store& results, const std::string& program_version) const;
+  void write_plan(const campaign::Store& results) const;
 
   // Returns `job` with the paths of the copied files. given_in: the folder in which the user began the study.
   campaign::Job of_copies(campaign::Job job, const std::filesystem::path& given_in, const Settings& settings) const;
@@ -150,7 +150,7 @@ enum class Tasks { ended, killed_too };
 // or of which a match is refused (see campaign::Taken) is moved to set_aside/, and its matches count as not played.
 // Throws campaign::StoreError for an error of `results` or of the disk, campaign::StoreRefusal for a part that cannot
 // be opened now.
-Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version);
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks);
 
 struct TaskProgress {
   std::uint64_t done = 0, all = 0;      // done: decided matches of the task; all: all matches of the task

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cassert>
+#include <cstdio>
 #include <cstring>
 
 namespace regista::process {
@@ -82,6 +83,18 @@ bool write_all(int descriptor, std::string_view text) {
 
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
   return write_all(descriptor, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+RedirectedStream::RedirectedStream(int stream, int to) : stream_(stream) {
+  std::fflush(stdout);  // the buffered text belongs to the old file
+  before_.reset(::fcntl(stream, F_DUPFD_CLOEXEC, 10));
+  if (before_.is_open()) ::dup2(to, stream);
+}
+
+RedirectedStream::~RedirectedStream() {
+  if (!before_.is_open()) return;
+  std::fflush(stdout);
+  ::dup2(before_.number, stream_);
 }
 
 bool send_bytes(int socket, std::span<const std::byte> bytes, std::span<const int> files) {

@@ -64,6 +64,19 @@ std::string everything_in(int file);
 bool write_all(int descriptor, std::string_view text);
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes);
 
+// While this object exists, a standard stream of this process leads to the file `to`.
+class RedirectedStream {
+ public:
+  RedirectedStream(int stream, int to);
+  ~RedirectedStream();
+  RedirectedStream(const RedirectedStream&) = delete;
+  RedirectedStream& operator=(const RedirectedStream&) = delete;
+
+ private:
+  int stream_;
+  FileDescriptor before_;
+};
+
 // Repeats a system call while a signal interrupts it, and returns its result. Safe in a signal handler.
 template <class Call>
 auto uninterrupted(Call call) {

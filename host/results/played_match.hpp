@@ -48,13 +48,17 @@ campaign::MatchResult play_by_workers(const StoredMatch& stored, campaign::Job j
 // Returns whether both matches have the same hash, were forfeited by the same side, or could not be played.
 bool came_out_alike(const campaign::MatchResult& stored, const campaign::MatchResult& now);
 
-struct MatchOptions : campaign::MatchRequest {
-  std::vector<std::string> set, plugins;  // --set and --plugins as typed
+struct MatchOptions : campaign::MatchConditions {
+  std::vector<std::string> teams, set, plugins;  // as typed; teams: files: home, away
+  std::string seed = "1";
   std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false, in_process = false;
   std::string log = "info";  // lowest level of the plugin log lines that are shown; "none": no lines
   std::string processor_seconds = "10", wall_seconds = "200";
 };
+
+// Returns the job of these options, without inputs and plugin files. Throws BadInput, config::Error.
+campaign::Job job_of(const MatchOptions& options);
 
 // Returns the inputs of a match, which its report shows first.
 report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::MatchSetup& prepared,

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
