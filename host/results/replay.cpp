@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <memory>
 #include <system_error>
@@ -121,6 +122,25 @@ std::string score_text(const report::ListedMatch& match) {
   return fmt::format("{} {}:{} {}", home, match.score[0], match.score[1], away);
 }
 
+// Returns a played match in the form that the study's page lists.
+report::ListedMatch listed_in(const report::StudyReport& report, const study::Round& round, std::uint64_t index,
+                              const campaign::MatchResult& decided) {
+  report::ListedMatch out = report::listed(round.first_row + index + 1, report.players(round, index), decided);
+  if (round.first_of_pairing && round.first_of_pairing(index)) out.seconds.reset();  // two plays: no time of one play
+  return out;
+}
+
+// Calls `take` for each played match, in the order of rows.
+void for_each_listed(const StoredResults& results, const std::function<void(report::ListedMatch)>& take) try {
+  const auto report = stored_study(results.file.string(), results.store, {}, results.kinds);
+  study::read_back(report->study(), results.store, report->study().metrics(),
+                   [&](const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
+                     if (decided != nullptr) take(listed_in(*report, round, index, *decided));
+                   });
+} catch (const campaign::StoreError& error) {
+  throw BadInput(error.what());
+}
+
 std::string end_text(const campaign::MatchResult& now) {
   if (now.failure) return fmt::format("it was forfeited by {}", now.failure->side == 0 ? "home" : "away");
   if (now.set_aside()) return "it could not be played";
@@ -223,30 +243,21 @@ Replay replay(const fs::path& results, const report::ListedMatch& match, Recorde
   throw output::WriteError(error.what());
 }
 
-report::ListedMatch listed_match(const StoredResults& results, std::uint64_t row) try {
-  const auto report = stored_study(results.file.string(), results.store, {}, results.kinds);
+report::ListedMatch listed_match(const StoredResults& results, std::uint64_t row) {
   std::optional<report::ListedMatch> out;
-  study::read_back(report->study(), results.store, report->study().metrics(),
-                   [&](const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
-                     if (decided == nullptr || round.first_row + index + 1 != row) return;
-                     out = listed_in(*report, round, index, *decided);
-                   });
+  for_each_listed(results, [&](report::ListedMatch match) {
+    if (match.row == row) out = std::move(match);
+  });
   if (!out)
     throw BadInput(
         fmt::format("--row {}: {} has no such match, or matches before it are missing", row, results.file.string()));
   return *out;
-} catch (const campaign::StoreError& error) {
-  throw BadInput(error.what());
 }
 
-bool replay_telling(const StoredResults& results, std::size_t matches, const Invocation& invocation) try {
+bool replay_telling(const StoredResults& results, std::size_t matches, const Invocation& invocation) {
   require_viewer(invocation);
   report::MatchList list(matches);
-  const auto report = stored_study(results.file.string(), results.store, {}, results.kinds);
-  study::read_back(report->study(), results.store, report->study().metrics(),
-                   [&](const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
-                     if (decided != nullptr) list.take(listed_in(*report, round, index, *decided));
-                   });
+  for_each_listed(results, [&](report::ListedMatch match) { list.take(std::move(match)); });
   const std::vector<report::ListedMatch> telling = list.highlights(matches);
   if (telling.empty()) {
     command::complain(fmt::format("{}: no match was won or forfeited; `regista view {} --row N` shows any of them",
@@ -272,8 +283,6 @@ bool replay_telling(const StoredResults& results, std::size_t matches, const Inv
                              texts::duration(first * static_cast<double>(telling.size() - 1))));
   }
   return all_same;
-} catch (const campaign::StoreError& error) {
-  throw BadInput(error.what());
 }
 
 namespace {
@@ -298,13 +307,6 @@ void add_matches(report::Outline& outline, const report::MatchList& matches, con
 }
 
 }  // namespace
-
-report::ListedMatch listed_in(const report::StudyReport& report, const study::Round& round, std::uint64_t index,
-                              const campaign::MatchResult& decided) {
-  report::ListedMatch out = report::listed(round.first_row + index + 1, report.players(round, index), decided);
-  if (round.first_of_pairing && round.first_of_pairing(index)) out.seconds.reset();  // two plays: no time of one play
-  return out;
-}
 
 void write_page(const StoredResults& results, const PageOptions& options) {
   try {

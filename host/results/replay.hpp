@@ -36,10 +36,6 @@ struct StoredResults {
   std::span<const StudyKind> kinds;
 };
 
-// Returns a played match in the form that the study's page lists.
-report::ListedMatch listed_in(const report::StudyReport& report, const study::Round& round, std::uint64_t index,
-                              const campaign::MatchResult& decided);
-
 // Writes the page. Prints a message about missing results unless incomplete_is_known is true. Throws BadInput and
 // output::WriteError.
 void write_page(const StoredResults& results, const PageOptions& options);
