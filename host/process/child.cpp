@@ -7,7 +7,6 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -187,14 +186,6 @@ bool become_child(const Setting& setting, pid_t parent) {
   if (!place_files(setting) || !set_limits(setting.limits)) return false;
   if (!setting.keeps_signals) default_signals();
   return true;
-}
-
-bool ProcessEnd::was_stopped() const { return WIFSTOPPED(status); }
-
-bool ProcessEnd::exited_with(int code) const { return WIFEXITED(status) && WEXITSTATUS(status) == code; }
-
-std::optional<int> ProcessEnd::signal_number() const {
-  return WIFSIGNALED(status) ? std::optional(WTERMSIG(status)) : std::nullopt;
 }
 
 bool ProcessEnd::from_outside() const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Starts a child process, limits its resources, waits for it, ends it, and describes its end. A child has its own
-// process group, so that Ctrl-C on the terminal reaches only its parent. A child dies with its parent
-// (PR_SET_PDEATHSIG). Processes in the child's group are killed with the child. Descendants kills processes that left
-// the group.
+// Starts a child process, limits its resources, watches it, ends it, and describes its end. A child has its own process
+// group, so that Ctrl-C on the terminal reaches only its parent. A child dies with its parent (PR_SET_PDEATHSIG). Its
+// group is killed with the child. Descendants kills processes that left the group.
 #pragma once
 
 #include <sys/types.h>
+#include <sys/wait.h>
 
 #include <chrono>
 #include <csignal>
@@ -62,9 +62,12 @@ struct ProcessEnd {
   int status = 0;                  // status from waitpid()
   double processor_seconds = 0.0;  // processor time that the process used; 0 for a stopped process
 
-  bool was_stopped() const;
-  bool exited_with(int code) const;
-  std::optional<int> signal_number() const;  // signal that ended the process
+  bool was_stopped() const { return WIFSTOPPED(status); }
+  bool exited_with(int code) const { return WIFEXITED(status) && WEXITSTATUS(status) == code; }
+  // Returns the signal that ended the process.
+  std::optional<int> signal_number() const {
+    return WIFSIGNALED(status) ? std::optional(WTERMSIG(status)) : std::nullopt;
+  }
   // Returns whether the process ended by a signal that people or systems send (SIGKILL, SIGTERM, SIGINT, SIGHUP,
   // SIGQUIT). Such an end is no evidence of a mistake in its code.
   bool from_outside() const;
@@ -119,9 +122,8 @@ class Child {
   bool ends_group_ = true;
 };
 
-// Kills processes that plugins have started. When its parent ends, such a process becomes a child of this process.
-// Strangers, and processes in their groups, are not killed. Strangers are children that a shell left when it became
-// this process (`exec`).
+// Kills processes that plugins have started, which become children of this process when their parents end. Strangers
+// and their groups are not killed: children that a shell left when it became this process (`exec`).
 class Descendants {
  public:
   // Must be called before this process starts children, because all present children are strangers. Each later child
@@ -136,8 +138,7 @@ class Descendants {
   std::vector<pid_t> strangers_, groups_;
 };
 
-// --- Watching another process: its processor time and memory, its idle time, the duration of its current call, its
-// output.
+// --- Watching another process
 
 // Returns the processor time of a running process so far, s; 0 if it is unknown.
 double processor_seconds_of(pid_t process);
@@ -222,8 +223,7 @@ class KeptOutput {
   std::uint64_t left_out_ = 0;
 };
 
-// --- Other programs, such as the commands of Slurm. They run without a shell. The caller waits for their end and gets
-// their output. shell_line() and command_line() write a command for a shell.
+// --- Other programs, such as the commands of Slurm, which run without a shell; and commands as lines for a shell
 
 struct ProgramCall {
   std::vector<std::string> words;                          // program name, searched in PATH, and its arguments
@@ -240,8 +240,7 @@ struct ProgramEnd {
   bool succeeded() const { return found && in_time && end.exited_with(0); }
 };
 
-// Runs a program with empty standard input, and waits for its end. The program continues if this process dies. Throws
-// std::system_error if no process can be started.
+// Runs a program with empty standard input to its end. The program may outlive this process. Throws std::system_error.
 ProgramEnd run_program(const ProgramCall& call);
 
 // Returns a line that a POSIX shell splits into the same words.

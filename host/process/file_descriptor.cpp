@@ -3,7 +3,6 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 
@@ -162,8 +161,6 @@ void* map_shared_file(const FileDescriptor& file, std::size_t bytes) {
 }
 
 void* map_for_copies(std::size_t bytes) { return mapped(bytes, MAP_ANONYMOUS, -1); }
-
-void unmap(void* memory, std::size_t bytes) { ::munmap(memory, bytes); }
 
 namespace fs = std::filesystem;
 
