@@ -28,8 +28,7 @@ class TrailWriter {
   std::map<std::pair<std::string, std::string>, std::uint32_t> names_;  // (plugin, call) -> number in the trail
 };
 
-// For the coordinator: trail_file() makes the file without a name, and empty_trail() empties it for another play. Both
-// functions throw std::system_error.
+// For the coordinator: make the file without a name, and empty it for another play. Both throw std::system_error.
 process::FileDescriptor trail_file();
 void empty_trail(int descriptor);
 

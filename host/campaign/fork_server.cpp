@@ -58,14 +58,9 @@ constexpr int server_descriptor = 3;
 // --- Teams that are read once for many matches: opened plugins, the teams' documents, and the lists of inputs. The
 // only code of plugins that runs here: initialization of the shared objects, and the functions that declare plugins.
 
-// Thrown if a file has changed since it was read. Another process must then read all files again.
-class Stale : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Thrown if a plugin changed the whole process when it was loaded. This process must then play no match.
-class Unfit : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+// Thrown if this process must play no more matches.
+struct ServerEnds {
+  ForkReply::State why;
 };
 
 // Limit of teams in memory: the plan of a team has some hundred kilobytes, which enlarge the page tables of each copy.
@@ -84,7 +79,7 @@ Files stamped(const Paths& paths) {
 
 void demand_unchanged(const Files& files) {
   for (const auto& [path, stamp] : files) {
-    if (plugin::stamp_of(path) != stamp) throw Stale(path.string());
+    if (plugin::stamp_of(path) != stamp) throw ServerEnds{ForkReply::State::stale};
   }
 }
 
@@ -101,7 +96,7 @@ class PreparedTeams {
     std::string_view output;  // what plugins wrote to standard error when they were loaded
   };
 
-  // Precondition: the job names its plugin files. Throws Stale, Unfit, config::Error, config::BadInput and
+  // Precondition: the job names its plugin files. Throws ServerEnds, config::Error, config::BadInput and
   // std::runtime_error. A team that pins the file of a plugin is an error, too, because two loaded versions of a plugin
   // may share variables.
   Match prepare(const Job& job) {
@@ -156,7 +151,7 @@ class PreparedTeams {
     const std::vector<std::filesystem::path> paths(job.plugin_files.begin(), job.plugin_files.end());
     plugin::Catalogue catalogue = plugin::Catalogue::of_files(paths, plugin::Catalogue::Looking::here);
     if (getpid() != here) _exit(EXIT_FAILURE);  // this is the child of a fork() by a plugin
-    if (const std::string left = plugin::changes_since(before); !left.empty()) throw Unfit("a plugin " + left);
+    if (!plugin::changes_since(before).empty()) throw ServerEnds{ForkReply::State::unfit};
     if (!catalogue.refused().empty()) throw std::runtime_error(to_string(catalogue.refused().front()));
     opened.reset(new Plugins{std::move(catalogue), std::move(files),
                              process::everything_in(output.number).substr(0, most_output)});
@@ -274,10 +269,8 @@ ForkReply answer(std::uint64_t number, std::vector<process::FileDescriptor>& fil
                    connection, program);
     }
     if (reply.process == -1 && errno != EAGAIN && errno != ENOMEM) reply.state = ForkReply::State::unfit;
-  } catch (const Stale&) {
-    reply.state = ForkReply::State::stale;
-  } catch (const Unfit&) {
-    reply.state = ForkReply::State::unfit;
+  } catch (const ServerEnds& ends) {
+    reply.state = ends.why;
   } catch (const std::exception&) {  // ignored: the coordinator then starts a new program, which will report the error
   }
   return reply;

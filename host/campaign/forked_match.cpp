@@ -25,8 +25,7 @@ namespace {
 // The memory that this process and the copy share.
 struct Shared {
   WorkerNote note;
-  std::atomic<int> done{0};  // 1: `code` is the exit code of the work
-  std::atomic<int> code{0};
+  std::atomic<int> code{-1};         // exit code of the work; -1: the work is not done
   std::array<char, 512> disorder{};  // describes what a plugin changed in the process; ends with a zero
 };
 
@@ -65,7 +64,6 @@ int work_in_copy(const std::function<int(WorkerNote&)>& work, Shared& shared) {
   } catch (const std::bad_alloc&) {
     return in_disorder("no memory is left");
   }
-  shared.done = 1;
   // Flushes the streams here, because the copy ends without exit handlers: a plugin may have registered some.
   std::fflush(nullptr);
   return shared.code;
@@ -160,7 +158,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
     end = watch_over(child, *shared, limits, too_long);
   }
   descendants.end_all();  // ends the processes that plugins have started
-  if (shared->done == 1) return shared->code;
+  if (shared->code != -1) return shared->code;
   // A signal asked this process to end. has_spoken is false if a signal killed the copy, which then wrote no message.
   if (received != 0) return supervised.interrupted(received, !end.signal_number());
   shared->disorder.back() = '\0';

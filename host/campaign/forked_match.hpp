@@ -12,8 +12,7 @@
 
 namespace regista::campaign {
 
-// Thrown if the work was done, but a plugin changed the process, for example left a thread running. what() describes
-// the change.
+// Thrown if a plugin changed the process, for example left a thread running. what() describes the change.
 class LeftoverState : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,7 +20,7 @@ class LeftoverState : public std::runtime_error {
 // Describes how a copy of this process died before it completed its work.
 struct ChildDeath {
   std::string what;           // "Segmentation fault, in crashes.so", "ended the process (exit code 0)"
-  bool from_outside = false;  // true: a signal that people and systems send killed the copy (see End::How)
+  bool from_outside = false;  // true: a signal that people and systems send killed the copy
   WorkerNote note;            // names the call of a plugin that was under way
 };
 

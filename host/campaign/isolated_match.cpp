@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <functional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -80,10 +79,8 @@ class IsolatedMatch {
   IsolatedMatch(const IsolatedMatch&) = delete;
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
-  // Returns the text for the parameter `kept` of play_isolated().
-  const std::string& kept() const { return kept_; }
-
-  match::Result play() {
+  // See play_isolated().
+  match::Result play(std::string& kept) {
     if (thinkers_.size() > 2) stay_on_this_processor();
     for (Thinkers& each : thinkers_) start(each);
     for (Thinkers& each : thinkers_) hear(each);  // waits until the minds have been created
@@ -105,11 +102,11 @@ class IsolatedMatch {
     }
     const match::Result result = match::play(setup_, think[0], think[1], &observer, beliefs);
     for (Thinkers& each : thinkers_) {
-      std::string kept;
-      read(each, ask(each, Question::finish, 0, {}), kept);
-      if (kept.empty() || kept_.find(kept) != std::string::npos) continue;
-      kept_ += fmt::format("{}{}: plugins keep in memory that all their instances share: {}", kept_.empty() ? "" : "; ",
-                           each.place.side == match::Side::home ? "home" : "away", kept);
+      std::string own;
+      read(each, ask(each, Question::finish, 0, {}), own);
+      if (own.empty() || kept.find(own) != std::string::npos) continue;
+      kept += fmt::format("{}{}: plugins keep in memory that all their instances share: {}", kept.empty() ? "" : "; ",
+                          match::name(each.place.side), own);
     }
     return result;
   }
@@ -289,17 +286,13 @@ class IsolatedMatch {
   struct sigaction before_ {};
   texts::BytesOut question_;
   plugin::CallTrail answers_;
-  std::string kept_;
 };
 
 }  // namespace
 
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
                             std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept) {
-  IsolatedMatch match(std::move(setup), plans, job, trail, note);
-  const match::Result result = match.play();
-  kept = match.kept();
-  return result;
+  return IsolatedMatch(std::move(setup), plans, job, trail, note).play(kept);
 }
 
 }  // namespace regista::campaign

@@ -24,14 +24,14 @@ namespace regista::campaign {
 struct Fault : std::runtime_error {
   Fault(const Failure& of, bool outside) : std::runtime_error(of.what), failure(of), from_outside(outside) {}
   Failure failure;
-  bool from_outside;  // true: the cause may be a signal from people or the system (End::How), or the machine
+  bool from_outside;  // true: the cause may be a signal from people or the system, or the machine
 };
 
-// Plays `setup` as match::play(setup, plans) does, with the separation, limits and inspection of `job`. The function
-// copies the calling process, which must have no threads and must have loaded no plugin. `trail` receives the answers
-// of plugins if the job has a trail. `note` receives the process groups, and the first try of a confined mind to reach
-// outside of its process. `kept` receives the names of variables of plugin files that confined minds
-// (process/confinement.hpp) have changed, one line; usually empty. Throws Fault, and the exceptions of match::play.
+// Plays `setup` as match::play(setup, plans) does, with separation, limits and inspection of `job`, in copies of this
+// process, which must have no threads and no loaded plugin. `trail` receives the answers of plugins if the job has a
+// trail; `note` the process groups, and the first try of a confined mind to reach outside; `kept` the variables of
+// plugin files that confined minds have changed, one line, usually empty. Throws Fault, and the exceptions of
+// match::play.
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
                             std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept);
 

@@ -29,8 +29,7 @@ struct Limits {
   // The first match of a pairing is played a second time, with one process for each mind. The second play shows results
   // that are not reproducible, and robots that do not decide alone, that is, from their own knowledge only.
   bool play_twice = true;
-  // true: the robots of a team may share memory, so the minds of a team share one process in both plays of a match that
-  // is played twice.
+  // true: the robots of a team may share memory, so the minds of a team share a process in both plays of a match.
   bool allow_shared_memory = false;
 
   // Returns the limit of processor time for the whole match, s (RLIMIT_CPU).
@@ -45,8 +44,7 @@ struct MatchKey {
   friend bool operator==(const MatchKey&, const MatchKey&) = default;
 };
 
-// Which metrics of a stored match are read. wanted: all metrics, some kilobytes. packets: at least
-// match::packet_metrics. left_out: no metrics.
+// The metrics of a stored match that are read. wanted: all, some kilobytes. packets: at least match::packet_metrics.
 enum class Metrics { wanted, packets, left_out };
 
 // How the minds of a match are divided among processes. The result is always the same if every robot decides alone.
@@ -158,13 +156,10 @@ Failure failure_from_json(const std::string& text);
 std::string to_json(const std::vector<Input>& inputs);
 std::vector<Input> inputs_from_json(const std::string& text);
 
-inline constexpr int goals_of_forfeit = 10;
-
 // Returns the result of a match that the side in `failure` forfeits. seconds: s of wall time.
 MatchResult forfeit(const Failure& failure, double seconds);
 
-// Reads a whole number from 0 to `most` from a stored text, which may be damaged. Throws std::out_of_range for any
-// other value. Checks the value before the conversion, because C++ does not define the conversion of other values.
+// Reads a whole number from 0 to `most` from a stored text. Throws std::out_of_range for any other value.
 std::uint64_t whole_number(const nlohmann::ordered_json& json, std::uint64_t most = UINT64_MAX);
 
 }  // namespace regista::campaign

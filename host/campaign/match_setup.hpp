@@ -30,11 +30,9 @@ namespace regista::campaign {
 // sides), home_disturbance, away_disturbance or opening. A path without such a part goes to both teams.
 config::Overrides overrides_for(std::string_view document, const config::Overrides& all);
 
-// Throws config::Error for a path of `--set` that begins with home or away, as in version 0.2. Stored matches may have
-// such paths.
+// Throws config::Error for a path of `--set` that begins with home or away, which only old stored matches may have.
 void refuse_former_sides(const config::Overrides& typed);
 
-// A team that has been read for a match.
 struct TeamSetup {
   std::shared_ptr<const config::Node> document;  // the team's document, changed by the values of --set
   std::shared_ptr<const mind::TeamPlan> plan;    // must not outlive the catalogue
@@ -48,8 +46,7 @@ struct MatchSetup {
   std::vector<config::Warning> warnings;                         // about both teams, each warning once
 };
 
-// The keys that a team's document may have. present: only keys of this version. former_too: also former keys, which
-// stored matches may use (config/renamed_keys.hpp).
+// The keys of a team's document. former_too: also former keys, which stored matches have (config/renamed_keys.hpp).
 enum class KeyNames { present, former_too };
 
 // Reads a team's document. Throws config::Error.
@@ -62,8 +59,7 @@ using ReadTeam = std::function<TeamSetup(const std::string& file, const config::
                                          const config::Rules& rules, const config::Robot& robot)>;
 ReadTeam team_reader(const plugin::Catalogue& catalogue, KeyNames names = KeyNames::present);  // calls team_setup()
 
-// Reads all files of a match. overrides: used instead of those of the job. Both functions throw config::BadInput and
-// config::Error.
+// Read all files of a match. overrides: instead of those of the job. Both throw config::BadInput and config::Error.
 MatchSetup match_setup(const Job& job, const config::Overrides& overrides, const ReadTeam& read_team);
 MatchSetup match_setup(const Job& job, const plugin::Catalogue& catalogue, KeyNames names = KeyNames::present);
 
@@ -97,7 +93,6 @@ std::string mathematics_fingerprint();
 // Returns the hash of the job's common input with this name; empty if the job has no such input.
 std::string input_of(const Job& job, const std::string& name);
 
-// All inputs of a match, from the current content of the files.
 struct FoundInputs {
   std::vector<Input> home, away, common;
 };

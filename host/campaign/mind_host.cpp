@@ -100,8 +100,7 @@ class MindHost {
     if (answers_wanted_) out_(answers_);
   }
 
-  // Called after 50 decisions (decisions_before_memory), so that data that a plugin creates at its first use do not
-  // count as a change.
+  // Called after some decisions, because data that a plugin creates at its first use do not count as a change.
   void remember_memory() {
     for (const void* const object : plugin::noted_objects()) memory_.emplace_back(object).remember();
   }

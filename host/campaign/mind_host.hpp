@@ -101,8 +101,7 @@ struct MindPlace {
 // Serves minds in a fresh copy of the match's process. The first answer tells the match that the minds have been
 // created. If the job has a trail, each outcome comes with the answers of plugins. Minds that are alone in a process
 // are confined (process/confinement.hpp): the note gets their first try to reach outside, and at the end they report
-// the variables of plugin files that have changed. The function throws nothing and never returns, because its callers
-// belong to the match, not to this copy.
+// changed variables of plugin files. Throws nothing and never returns, because its callers belong to the match.
 [[noreturn]] void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, const Job& job,
                               MindChannel& channel) noexcept;
 

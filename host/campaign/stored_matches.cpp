@@ -139,7 +139,6 @@ class Packets {
   std::shared_ptr<const match::MetricNames> names_ = names();
 };
 
-// Returns the key of the match in the current row of the statement.
 MatchKey key_of(SQLite::Statement& row) {
   return {row.getColumn(1).getInt64(), std::bit_cast<std::uint64_t>(row.getColumn(2).getInt64())};
 }
@@ -268,7 +267,8 @@ struct StoredMatches::Impl {
       numbers = other.metrics.packed(row);
       if (!numbers) throw DamagedRow(row, "its metrics are missing");
       spent = other.packets.packed(row);
-      if (!names.contains(numbers->names)) text = other.metrics.text_of_names(row, numbers->names);
+      if (names.contains(numbers->names)) return;
+      text = reading_row(row, "metrics: ", [&] { return other.metrics.text_of_names(numbers->names); });
     });
     const auto fixture = fixtures.find(theirs.fixture);
     if (fixture == fixtures.end()) throw DamagedRow(row, "nothing like it was planned");

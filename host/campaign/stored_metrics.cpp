@@ -45,7 +45,7 @@ void RowsInOrder::reset() {
   next_.reset();
 }
 
-std::string StoredMetrics::text(std::int64_t id) {
+std::string StoredMetrics::text_of_names(std::int64_t id) {
   SQLite::Statement find(database_, "SELECT names, checksum FROM metric_names WHERE id = ?");
   find.bind(1, id);
   if (!find.executeStep()) throw std::invalid_argument(fmt::format("metric names {} are missing", id));
@@ -58,7 +58,7 @@ std::string StoredMetrics::text(std::int64_t id) {
 
 const StoredMetrics::Names& StoredMetrics::names_under(std::int64_t row, std::int64_t id) {
   if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;
-  return by_id_.emplace(id, reading_row(row, "metrics: ", [&] { return names_of(text(id)); })).first->second;
+  return by_id_.emplace(id, reading_row(row, "metrics: ", [&] { return names_of(text_of_names(id)); })).first->second;
 }
 
 std::optional<std::int64_t> StoredMetrics::id_of_text(const std::string& text) {
@@ -123,10 +123,6 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
     }
     return {names, numbers_of(bytes_, names->size())};
   });
-}
-
-std::string StoredMetrics::text_of_names(std::int64_t row, std::int64_t names) {
-  return reading_row(row, "metrics: ", [&] { return text(names); });
 }
 
 std::int64_t StoredMetrics::number_of_names(const std::string& text) {

@@ -97,12 +97,12 @@ bool Worker::advance() {
   read();
   const std::optional<process::ProcessEnd> end = child_.look();
   if (!end) {
-    if (!killed_for_) watch_call();
+    if (why_killed_.empty()) watch_call();
     return false;
   }
   if (end->was_stopped()) {
-    killed_for_ = End::How::stopped;
-    end_.text = end->in_words();
+    stopped_ = true;
+    why_killed_ = end->in_words();
     kill();
     return false;
   }
@@ -124,11 +124,11 @@ void Worker::watch_call() {
   if (!apart_) {  // a worker with minds in other processes notes no calls
     const plugin::CallNote call = note_->call;
     const process::Exceeded exceeded = watch_.look(call, call.inside == 1, child_.process());
-    if (exceeded == process::Exceeded::processor_time) killed_for_ = End::How::processor_time;
-    if (exceeded == process::Exceeded::wall_time) killed_for_ = End::How::wall_time;
+    if (exceeded != process::Exceeded::nothing) why_killed_ = watch_.in_words(exceeded);
   }
-  if (seconds() > match_wall_seconds()) killed_for_ = End::How::match_wall_time;
-  if (killed_for_) kill();
+  if (seconds() > match_wall_seconds())
+    why_killed_ = fmt::format("a match did not end within {:.0f} s", limits_.match_wall_seconds);
+  if (!why_killed_.empty()) kill();
 }
 
 void Worker::ended(const process::ProcessEnd& end) {
@@ -143,28 +143,21 @@ void Worker::ended(const process::ProcessEnd& end) {
     answer_.erase(0, mark + answer_mark.size());
   }
   if (complete && end.exited_with(0)) {
-    end_.how = End::How::answered;
+    end_.answered = true;
     end_.text = std::move(answer_);
     return;
   }
-  if (!end.signal_number()) {
-    end_.how = End::How::died;
-    end_.text = end.in_words();
-    return;
-  }
   const bool all_used = end.signal_number() == SIGKILL && end.processor_seconds >= limits_.match_seconds();
-  if (killed_for_) {
-    end_.how = *killed_for_;
-    if (killed_for_ == End::How::wall_time) end_.text = watch_.in_words(process::Exceeded::wall_time);
-    if (killed_for_ == End::How::processor_time) end_.text = watch_.in_words(process::Exceeded::processor_time);
-    if (killed_for_ == End::How::match_wall_time)
-      end_.text = fmt::format("a match did not end within {:.0f} s", limits_.match_wall_seconds);
+  if (!end.signal_number()) {
+    end_.text = end.in_words();
+  } else if (!why_killed_.empty()) {
+    end_.from_outside = stopped_;
+    end_.text = why_killed_;
   } else if (end.out_of_processor_time() || all_used) {
-    end_.how = End::How::match_time;
     end_.text = fmt::format("a match used more than {} s of processor time, though no single call more than {} s",
                             limits_.match_seconds(), limits_.processor_seconds);
   } else {
-    end_.how = end.from_outside() ? End::How::killed_from_outside : End::How::died;
+    end_.from_outside = end.from_outside();
     end_.text = end.in_words() + where(note.fatal);
   }
 }
