@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>

@@ -18,6 +18,7 @@
 #include "campaign/stored_setup.hpp"
 #include "config/errors.hpp"
 #include "output/replaced_file.hpp"
+#include "process/child.hpp"
 #include "process/file_descriptor.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -88,8 +89,8 @@ std::string damaged(const StudyFolder& folder) {
 Json description_of(const StudyFolder& folder) {
   const fs::path file = folder.description();
   const auto text = content_of(file);
-  const std::string name = texts::one_line(folder.root().string());
-  if (!text) throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", name));
+  if (!text)
+    throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", folder.name()));
   Json json = Json::parse(*text, nullptr, false);
   if (!json.is_object()) throw BadInput(damaged(folder));
   if (json.value("study_folder", nlohmann::json()) != layout)
@@ -133,12 +134,17 @@ StudyFolder::StudyFolder(const fs::path& root) : root_(fs::absolute(root).lexica
   if (!root_.has_filename()) root_ = root_.parent_path();
 }
 
+std::string StudyFolder::name() const { return texts::one_line(root_.string()); }
+
+std::string StudyFolder::command(const char* verb) const {
+  return process::shell_line({"regista", verb, root_.string()});
+}
+
 void StudyFolder::create(const Settings& settings) const {
-  const std::string name = texts::one_line(root_.string());
   std::error_code error;
   if (fs::exists(root_, error)) {
     throw BadInput(fmt::format(
-        "{} exists already; regista gather {} goes on with a study in it, --folder names another", name, name));
+        "{} exists already; regista gather {} goes on with a study in it, --folder names another", name(), name()));
   }
   for (const fs::path& each : {root_, root_ / "batches", parts(), set_aside(), logs(), files()}) {
     fs::create_directories(each, error);
@@ -283,7 +289,6 @@ class Gathering {
       for (const std::string& each : taken.why) remark(part, each);
       set_aside(folder_, part.path);
     } catch (const campaign::StoreInUse&) {
-      ++out_.in_use;
       if (tasks == Tasks::killed_too) remark(part, "a task that should have ended still holds it; it is taken later");
     } catch (const campaign::StoreRefusal& error) {
       if (!fs::exists(part.path)) return;  // the task has ended meanwhile and renamed the file
@@ -371,9 +376,7 @@ void write_progress(const StudyFolder& folder, const TaskName& task, const TaskP
   replace(folder.progress(task), to_json(progress));
 }
 
-std::string to_json(const TaskProgress& progress) {
-  return line(Json(progress));
-}
+std::string to_json(const TaskProgress& progress) { return line(Json(progress)); }
 
 TaskProgress progress_from_json(const std::string& text) {
   try {

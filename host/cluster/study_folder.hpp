@@ -87,6 +87,8 @@ class StudyFolder {
   explicit StudyFolder(const std::filesystem::path& root);  // the stored path is absolute; the folder may be missing
 
   const std::filesystem::path& root() const { return root_; }
+  std::string name() const;                     // root() for messages
+  std::string command(const char* verb) const;  // for a shell: "regista VERB FOLDER"
   std::filesystem::path description() const { return root_ / "cluster.json"; }
   std::filesystem::path results() const { return root_ / "results.db"; }
   std::filesystem::path plan() const { return root_ / "plan.db"; }
@@ -138,7 +140,6 @@ class StudyFolder {
 struct Gathered {
   std::uint64_t rows = 0;            // newly added matches
   std::uint64_t refused = 0;         // refused matches (campaign::Taken); their part moves to set_aside/
-  std::uint64_t in_use = 0;          // parts that tasks are still writing
   std::vector<std::string> remarks;  // one line each
   std::vector<std::string> refused_nodes;
 };
@@ -147,9 +148,8 @@ struct Gathered {
 enum class Tasks { ended, killed_too };
 
 // Adds the matches of the parts to `results`, and removes each part that was added completely. A part that is damaged
-// or of which a match is refused (see campaign::Taken) is moved to set_aside/, and its matches count as not played.
-// Throws campaign::StoreError for an error of `results` or of the disk, campaign::StoreRefusal for a part that cannot
-// be opened now.
+// or has a refused match (see campaign::Taken) is moved to set_aside/, and its matches count as not played. Throws
+// campaign::StoreError for an error of `results` or of the disk, StoreRefusal for a part that cannot be opened now.
 Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks);
 
 struct TaskProgress {
