@@ -35,14 +35,13 @@ StoredMatch read_stored_match(const std::string& results, const std::string& row
 // Use of a match whose program or plugins have changed: refuse it, or play it to see whether the result is the same.
 enum class Changed { refused, played };
 
-// Sets up a stored match. Throws BadInput if the match cannot be set up in its stored form; with Changed::played, only
-// if it cannot be set up at all. Throws output::WriteError if there is no room for copies of its files. program: the
-// program's name in messages.
+// Sets up a stored match. Throws BadInput if this cannot be done in its stored form; with Changed::played, only if it
+// cannot be done at all. Throws output::WriteError if there is no room for copies of its files. program: the name in
+// messages.
 std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const plugin::Catalogue& catalogue,
                                               const std::string& program, Changed changed = Changed::refused);
 
-// Plays the match in workers under the limits of its study. Records the match if the job asks for it. Throws BadInput
-// and output::WriteError.
+// Plays the match in workers under the limits of its study, as the job says. Throws BadInput and output::WriteError.
 campaign::MatchResult play_by_workers(const StoredMatch& stored, campaign::Job job);
 
 // Returns whether both matches have the same hash, were forfeited by the same side, or could not be played.

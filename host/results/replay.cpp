@@ -35,12 +35,6 @@ namespace {
 namespace fs = std::filesystem;
 using command::BadInput;
 
-std::string required_content(const std::filesystem::path& file) {
-  std::optional<std::string> out = config::file_content(file);
-  if (!out) throw BadInput(fmt::format("{}: cannot be read", file.string()));
-  return std::move(*out);
-}
-
 constexpr double before_goal = 4.0, before_end = 8.0;  // s by which a replay opens before the goal or the end
 
 // Restores the current folder when it is destroyed.
@@ -75,8 +69,6 @@ class NewRecording {
     fs::remove(file_, none);
     if (made_folder_) fs::remove(place_.parent_path(), none);  // removes only an empty folder
   }
-  NewRecording(const NewRecording&) = delete;
-  NewRecording& operator=(const NewRecording&) = delete;
 
   const fs::path& file() const { return file_; }
   void keep() const {
@@ -147,19 +139,19 @@ std::string end_text(const campaign::MatchResult& now) {
   return fmt::format("it ended {}:{} with the hash {}", now.score[0], now.score[1], now.hash);
 }
 
-}  // namespace
-
-std::filesystem::path viewer_file(const Invocation& invocation) { return invocation.own("share/regista/viewer.html"); }
-
 void require_viewer(const Invocation& invocation) {
-  const std::filesystem::path viewer = viewer_file(invocation);
+  const fs::path viewer = viewer_file(invocation);
   std::error_code none;
-  if (std::filesystem::exists(viewer, none)) return;
+  if (fs::exists(viewer, none)) return;
   throw BadInput(
       fmt::format("view: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
                   "`npm ci` was run in viewer/; `regista view --at` and other readers of MCAP work without it",
                   viewer.string()));
 }
+
+}  // namespace
+
+std::filesystem::path viewer_file(const Invocation& invocation) { return invocation.own("share/regista/viewer.html"); }
 
 void require_small_enough(const std::filesystem::path& recording) {
   std::error_code none;
@@ -175,7 +167,9 @@ std::string viewer_page(const std::filesystem::path& recording, std::string_view
                         const Invocation& invocation) {
   require_viewer(invocation);
   const std::filesystem::path viewer = viewer_file(invocation);
-  const auto out = recording::match_page(required_content(viewer), recording::packed_recording(recording), name, mark);
+  const std::optional<std::string> page = config::file_content(viewer);
+  if (!page) throw BadInput(fmt::format("{}: cannot be read", viewer.string()));
+  const auto out = recording::match_page(*page, recording::packed_recording(recording), name, mark);
   if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
   return *out;
 }
@@ -207,10 +201,10 @@ Replay replay(const fs::path& results, const report::ListedMatch& match, Recorde
   const fs::path place = study::recording_file(file, static_cast<std::int64_t>(match.row));
   const bool failed = !match.played();
 
-  out.played = recorded == Recorded::played_again || !recording::is_recording_of(place, wanted);
+  const bool plays = recorded == Recorded::played_again || !recording::is_recording_of(place, wanted);
   std::optional<NewRecording> fresh;
   std::string came_out = "as it was recorded";
-  if (out.played) {
+  if (plays) {
     fresh.emplace(place);
     job.plugin_files = catalogue.used_files();
     job.record = fresh->file().string();

@@ -49,9 +49,7 @@ std::vector<config::DocumentKind> document_kinds(const Invocation& invocation) {
 }
 
 std::vector<std::string> kind_names(const Invocation& invocation) {
-  std::vector<std::string> out;
-  for (const config::DocumentKind& kind : document_kinds(invocation)) out.emplace_back(kind.name);
-  return out;
+  return texts::names_of(document_kinds(invocation), &config::DocumentKind::name);
 }
 
 config::DocumentKind kind_named(const std::string& name, std::string_view command, const Invocation& invocation) {
