@@ -45,9 +45,8 @@ enum class Judgement {
 inline constexpr std::size_t isolated_plays = 3;  // judge() decides after this number of equal isolated plays
 inline constexpr std::size_t most_failures = 6;   // failed plays of one match after which the campaign ends
 
-// Returns what must happen to a match next. attempts: all plays of the match so far, at least one. A team whose process
-// fails in an isolated play (one process for each team) forfeits. Exception: if a signal from outside killed the
-// process, the team forfeits only if the last three plays were isolated and its process failed in each of them.
+// Returns what must happen to a match next. attempts: all plays of the match so far, at least one. If a signal from
+// outside killed a process, its team forfeits only if it failed in each of the last three plays, all isolated.
 Judgement judge(std::span<const Attempt> attempts);
 
 std::string why_set_aside(std::span<const Attempt> attempts);

@@ -119,12 +119,15 @@ void TrailWriter::flush() {
   waiting_.clear();
 }
 
-TrailFile::TrailFile() : file_(memfd_create("regista-trail", MFD_CLOEXEC)) {
-  if (!file_.is_open()) throw std::system_error(errno, std::generic_category(), "cannot make a trail");
+process::FileDescriptor trail_file() {
+  process::FileDescriptor out(memfd_create("regista-trail", MFD_CLOEXEC));
+  if (!out.is_open()) throw std::system_error(errno, std::generic_category(), "cannot make a trail");
+  return out;
 }
 
-void TrailFile::clear() {
-  if (ftruncate(file_.number, 0) == 0) lseek(file_.number, 0, SEEK_SET);
+void empty_trail(int descriptor) {
+  if (ftruncate(descriptor, 0) == -1 || lseek(descriptor, 0, SEEK_SET) == -1)
+    throw std::system_error(errno, std::generic_category(), "cannot begin a match anew");
 }
 
 std::string first_difference(std::string_view first, std::string_view second) {

@@ -28,17 +28,9 @@ class TrailWriter {
   std::map<std::pair<std::string, std::string>, std::uint32_t> names_;  // (plugin, call) -> number in the trail
 };
 
-// The coordinator's object for a trail: creates and reads the file without a name.
-class TrailFile {
- public:
-  TrailFile();  // throws std::system_error
-  int descriptor() const { return file_.number; }
-  void clear();
-  std::string content() const { return process::everything_in(file_.number); }
-
- private:
-  process::FileDescriptor file_;
-};
+// For the coordinator: make the file without a name, and empty it for another play. Both throw std::system_error.
+process::FileDescriptor trail_file();
+void empty_trail(int descriptor);
 
 // Returns the first difference between two trails, such as "home, robot 3, tick 41 (4.12 s): plugin greedy answered
 // assign otherwise"; empty for equal trails.

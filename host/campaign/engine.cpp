@@ -13,7 +13,6 @@
 #include <memory>
 #include <thread>
 #include <utility>
-#include <vector>
 
 #include "campaign/fork_server.hpp"
 #include "campaign/match_run.hpp"
@@ -73,11 +72,11 @@ Moment until_time(const std::string& text, Moment now) {
     wanted.tm_min = (*time)[1];
     wanted.tm_sec = 0;
     wanted.tm_isdst = -1;
-    std::tm today = wanted;
-    const Moment out = std::chrono::system_clock::from_time_t(std::mktime(&today));
-    if (out > now) return out;
-    ++wanted.tm_mday;  // mktime() converts the day after the last day of a month into day 1 of the next month
-    return std::chrono::system_clock::from_time_t(std::mktime(&wanted));
+    for (;; ++wanted.tm_mday) {  // mktime() takes the day after the last day of a month for day 1 of the next month
+      std::tm shown = wanted;
+      const Moment out = std::chrono::system_clock::from_time_t(std::mktime(&shown));
+      if (out > now) return out;
+    }
   }
   auto day = numbers_like<5>(text, "0000-00-00T00:00");
   if (!day) day = numbers_like<5>(text, "0000-00-00 00:00");
@@ -301,9 +300,9 @@ Finish run(const Schedule& schedule, Store& store, int workers, const Limits& li
   return Engine(schedule, store, workers, limits).run();
 }
 
-MatchResult play_alone(const Job& job, const Limits& limits, bool twice) {
+MatchResult play_alone(const Job& job, const Limits& limits) {
   const process::Descendants descendants;
-  MatchRun match(job, limits, twice, {});
+  MatchRun match(job, limits, false, {});
   while (!match.advance()) wait_for({&match.worker()});
   descendants.end_all();
   return match.decided();

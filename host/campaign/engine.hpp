@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Plays the matches of a schedule in parallel, each in a worker. The engine does not know the purpose of the matches.
-//
-// The engine does not play stored matches again. It passes results to its caller in the order of the schedule, so
-// reports do not depend on the number of workers. The schedule is a function, not a list, and the engine begins only
-// matches that are near the first undecided match. So the memory does not grow with the number of matches.
+// Plays the matches of a schedule in parallel, each in a worker. Stored matches are not played again. The caller gets
+// results in the order of the schedule, so reports do not depend on the number of workers. The schedule is a function,
+// not a list, and the engine begins only matches near the first undecided match. So the memory does not grow with the
+// number of matches.
 #pragma once
 
 #include <chrono>
@@ -78,8 +77,7 @@ struct Schedule {
   // Called for a match whose worker died, if another play of the match succeeded. May be empty.
   std::function<void(const Job& job, const std::string& what)> accident;
   std::function<bool()> asked_to_stop;  // whether the run must stop; called about ten times a second
-  // After this function returned true, the engine begins no more matches, and ends when the running matches have ended.
-  // May be empty.
+  // true: the engine begins no more matches, and ends when the running matches have ended. May be empty.
   std::function<bool()> out_of_time;
 };
 
@@ -91,8 +89,7 @@ enum class Finish { complete, enough, interrupted, out_of_time };
 // Plays the schedule. Throws CampaignError, StoreError and std::system_error; stored matches stay in the store.
 Finish run(const Schedule& schedule, Store& store, int workers, const Limits& limits);
 
-// Plays one match until it is decided, as run() plays each match of a schedule, but does not store it. twice: see
-// Schedule. Throws CampaignError, std::system_error.
-MatchResult play_alone(const Job& job, const Limits& limits, bool twice = false);
+// Plays one match until it is decided, as run() does, but does not store it. Throws CampaignError, std::system_error.
+MatchResult play_alone(const Job& job, const Limits& limits);
 
 }  // namespace regista::campaign

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -25,7 +24,6 @@
 #include <system_error>
 #include <vector>
 
-#include "campaign/match_inputs.hpp"
 #include "campaign/match_setup.hpp"
 #include "campaign/play_job.hpp"
 #include "config/disturbance.hpp"
@@ -37,7 +35,6 @@
 #include "plugin/fatal_signal.hpp"
 #include "plugin/process_state.hpp"
 #include "plugin/shared_object.hpp"
-#include "process/watch.hpp"
 
 namespace regista::campaign {
 
@@ -56,29 +53,21 @@ namespace {
 
 constexpr int server_descriptor = 3;
 
-// A request to the server: one datagram with four or five file descriptors: job (a file with a Job), answer, note,
-// output, and the trail if the job has a trail.
-struct ForkRequest {
-  std::uint64_t number = 0;  // the reply has the same number
-  std::int32_t has_trail = 0;
-  std::int32_t reserved = 0;
-};
+// A request to the server is one datagram: its number, which the reply repeats, with four or five file descriptors: job
+// (a file with a Job), answer, note, output, and the trail if the job has a trail.
 
 // --- Teams that are read once for many matches: opened plugins, the teams' documents, and the lists of inputs. The
 // only code of plugins that runs here: initialization of the shared objects, and the functions that declare plugins.
 
-// Thrown if a file has changed since it was read. Another process must then read all files again.
-class Stale : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
-// Thrown if a plugin changed the whole process when it was loaded. This process must then play no match.
-class Unfit : public std::runtime_error {
-  using std::runtime_error::runtime_error;
+// Thrown if this process must play no more matches.
+struct ServerEnds {
+  ForkReply::State why;
 };
 
 // Limit of teams in memory: the plan of a team has some hundred kilobytes, which enlarge the page tables of each copy.
 constexpr std::size_t most_teams = 64;
+
+constexpr std::size_t most_output = std::size_t{1} << 16;  // kept bytes of what plugins write when they are loaded
 
 using Files = std::vector<std::pair<std::filesystem::path, plugin::FileStamp>>;  // stamps made before reading
 
@@ -91,32 +80,9 @@ Files stamped(const Paths& paths) {
 
 void demand_unchanged(const Files& files) {
   for (const auto& [path, stamp] : files) {
-    if (plugin::stamp_of(path) != stamp) throw Stale(path.string());
+    if (plugin::stamp_of(path) != stamp) throw ServerEnds{ForkReply::State::stale};
   }
 }
-
-// While this object exists, standard error is redirected to a file.
-class KeptErrors {
- public:
-  KeptErrors()
-      : file_(memfd_create("regista-output", MFD_CLOEXEC)), before_(fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 10)) {
-    dup2(file_.number, STDERR_FILENO);
-  }
-  ~KeptErrors() { dup2(before_.number, STDERR_FILENO); }
-  KeptErrors(const KeptErrors&) = delete;
-  KeptErrors& operator=(const KeptErrors&) = delete;
-
-  // Returns the first 64 KiB of the text in the file.
-  std::string text() const {
-    std::string out(std::size_t{1} << 16, '\0');
-    const ssize_t count = pread(file_.number, out.data(), out.size(), 0);
-    out.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
-    return out;
-  }
-
- private:
-  process::FileDescriptor file_, before_;
-};
 
 template <class Profile>
 std::string shown(Profile profile) {
@@ -131,7 +97,7 @@ class PreparedTeams {
     std::string_view output;  // what plugins wrote to standard error when they were loaded
   };
 
-  // Precondition: the job names its plugin files. Throws Stale, Unfit, config::Error, config::BadInput and
+  // Precondition: the job names its plugin files. Throws ServerEnds, config::Error, config::BadInput and
   // std::runtime_error. A team that pins the file of a plugin is an error, too, because two loaded versions of a plugin
   // may share variables.
   Match prepare(const Job& job) {
@@ -140,16 +106,19 @@ class PreparedTeams {
     std::string shared;                      // inputs that both plans depend on
     Match out;
     out.output = plugins.output;
-    out.setup = match_setup(request_of(job), [&](const std::string& file, const config::Overrides& overrides,
-                                                 const config::Rules& rules, const config::Robot& robot) {
-      if (shared.empty())
-        shared = fmt::format("{}\n{}\n{}\n{}", job.root, fmt::join(job.plugin_files, "\n"), shown(rules), shown(robot));
-      std::string key = fmt::format("{}\n{}", shared, file);
-      for (const config::Override& each : overrides) key += '\n' + to_string(each);
-      const Team& team = team_of(key, file, overrides, rules, robot, plugins.catalogue, job.root);
-      inputs.push_back(team.inputs);
-      return team.setup;
-    });
+    out.setup = match_setup(job, config::typed_overrides(job.overrides),
+                            [&](const std::string& file, const config::Overrides& overrides, const config::Rules& rules,
+                                const config::Robot& robot) {
+                              if (shared.empty())
+                                shared = fmt::format("{}\n{}\n{}\n{}", job.root, fmt::join(job.plugin_files, "\n"),
+                                                     shown(rules), shown(robot));
+                              std::string key = fmt::format("{}\n{}", shared, file);
+                              for (const config::Override& each : overrides) key += '\n' + to_string(each);
+                              const Team& team =
+                                  team_of(key, file, overrides, rules, robot, plugins.catalogue, job.root);
+                              inputs.push_back(team.inputs);
+                              return team.setup;
+                            });
     if (job.common_inputs.empty()) return out;  // the job has no list of inputs
     // Takes two hashes from the job, because the coordinator uses the same program and mathematics library.
     out.changed = what_changed(
@@ -176,15 +145,17 @@ class PreparedTeams {
       return *opened;
     }
     Files files = stamped(job.plugin_files);
-    const KeptErrors errors;
+    const process::FileDescriptor output = process::memory_file({});
+    const process::RedirectedStream errors(STDERR_FILENO, output.number);
     const plugin::ProcessState before = plugin::ProcessState::now();
     const pid_t here = getpid();
     const std::vector<std::filesystem::path> paths(job.plugin_files.begin(), job.plugin_files.end());
     plugin::Catalogue catalogue = plugin::Catalogue::of_files(paths, plugin::Catalogue::Looking::here);
     if (getpid() != here) _exit(EXIT_FAILURE);  // this is the child of a fork() by a plugin
-    if (const std::string left = plugin::changes_since(before); !left.empty()) throw Unfit("a plugin " + left);
+    if (!plugin::changes_since(before).empty()) throw ServerEnds{ForkReply::State::unfit};
     if (!catalogue.refused().empty()) throw std::runtime_error(to_string(catalogue.refused().front()));
-    opened.reset(new Plugins{std::move(catalogue), std::move(files), errors.text()});
+    opened.reset(new Plugins{std::move(catalogue), std::move(files),
+                             process::everything_in(output.number).substr(0, most_output)});
     return *opened;
   }
 
@@ -278,12 +249,12 @@ struct Connection {
 }
 
 // Starts a copy and returns the reply to a request. In the copy, the function does not return.
-ForkReply answer(const ForkRequest& request, std::vector<process::FileDescriptor>& files, PreparedTeams& teams,
+ForkReply answer(std::uint64_t number, std::vector<process::FileDescriptor>& files, PreparedTeams& teams,
                  const Connection& connection, const std::string& program) {
   ForkReply reply;
-  reply.number = request.number;
-  const bool has_trail = request.has_trail != 0;
-  if (files.size() != (has_trail ? 5u : 4u)) return reply;
+  reply.number = number;
+  const bool has_trail = files.size() == 5;
+  if (files.size() != 4 && !has_trail) return reply;
   try {
     const Job job = job_from_json(process::everything_in(files[0].number));
     PreparedTeams::Match match = teams.prepare(job);
@@ -299,10 +270,8 @@ ForkReply answer(const ForkRequest& request, std::vector<process::FileDescriptor
                    connection, program);
     }
     if (reply.process == -1 && errno != EAGAIN && errno != ENOMEM) reply.state = ForkReply::State::unfit;
-  } catch (const Stale&) {
-    reply.state = ForkReply::State::stale;
-  } catch (const Unfit&) {
-    reply.state = ForkReply::State::unfit;
+  } catch (const ServerEnds& ends) {
+    reply.state = ends.why;
   } catch (const std::exception&) {  // ignored: the coordinator then starts a new program, which will report the error
   }
   return reply;
@@ -318,7 +287,7 @@ void ForkServer::begin() {
   process::Setting setting;
   setting.files = {{theirs.number, server_descriptor}};
   setting.limits = memory_limits(limits_);
-  const std::vector<char*> variables = environment_with({});
+  const std::vector<char*> variables = environment(false);
   begun_ = true;
   try {
     server_ = process::Child::program(setting, {process::Child::this_program, {"regista", server_command}, variables});
@@ -341,7 +310,7 @@ void ForkServer::end() {
 bool ForkServer::ask(const WorkerFiles& files) {
   std::vector<int> passed{files.job, files.answer, files.note, files.output};
   if (files.trail != -1) passed.push_back(files.trail);
-  return process::send_with_files(socket_.number, ForkRequest{++number_, files.trail != -1, 0}, passed);
+  return process::send_with_files(socket_.number, ++number_, passed);
 }
 
 // Waits for the reply. Returns nothing if the server has died, hangs while it loads a plugin, or sends no valid reply.
@@ -386,10 +355,10 @@ void serve_matches(const std::string& program) {
   const Connection connection{away_from_plugins(server_descriptor), ::getppid()};
   PreparedTeams teams;
   for (;;) {
-    ForkRequest request;
+    std::uint64_t number = 0;
     std::vector<process::FileDescriptor> files;
-    if (!process::receive_with_files(connection.socket.number, request, files)) return;
-    const ForkReply reply = answer(request, files, teams, connection, program);
+    if (!process::receive_with_files(connection.socket.number, number, files)) return;
+    const ForkReply reply = answer(number, files, teams, connection, program);
     if (!process::send_with_files(connection.socket.number, reply, {}) || reply.state != ForkReply::State::ready)
       return;
   }

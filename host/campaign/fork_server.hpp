@@ -26,17 +26,14 @@ inline constexpr const char* server_command = "fork-server";
 
 struct ForkReply;
 
-// The coordinator's side of the fork server.
+// The coordinator's side.
 class ForkServer {
  public:
   // The first start() also starts the server. end_strays: ends all children of this process that the caller does not
-  // know. ForkServer calls end_strays after the end of the server, because a server may die before it reports a new
-  // worker.
+  // know; called after the end of the server, which may die before it reports a new worker.
   ForkServer(const Limits& limits, std::function<void()> end_strays)
       : limits_(limits), end_strays_(std::move(end_strays)) {}
   ~ForkServer() { end(); }
-  ForkServer(const ForkServer&) = delete;
-  ForkServer& operator=(const ForkServer&) = delete;
 
   // Starts a worker, a child of this process. If the server cannot start it, returns a child that does not run, and the
   // caller must start the worker itself. Waits until the server has read the teams: some 20 ms for new teams, 1 ms for

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/forked_match.hpp"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -19,8 +18,6 @@
 
 #include "plugin/fatal_signal.hpp"
 #include "process/child.hpp"
-#include "process/file_descriptor.hpp"
-#include "process/watch.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -28,8 +25,7 @@ namespace {
 // The memory that this process and the copy share.
 struct Shared {
   WorkerNote note;
-  std::atomic<int> done{0};  // 1: `code` is the exit code of the work
-  std::atomic<int> code{0};
+  std::atomic<int> code{-1};         // exit code of the work; -1: the work is not done
   std::array<char, 512> disorder{};  // describes what a plugin changed in the process; ends with a zero
 };
 
@@ -68,7 +64,6 @@ int work_in_copy(const std::function<int(WorkerNote&)>& work, Shared& shared) {
   } catch (const std::bad_alloc&) {
     return in_disorder("no memory is left");
   }
-  shared.done = 1;
   // Flushes the streams here, because the copy ends without exit handlers: a plugin may have registered some.
   std::fflush(nullptr);
   return shared.code;
@@ -137,26 +132,14 @@ process::ProcessEnd watch_over(process::Child& child, const Shared& shared, cons
     if (call.inside == 0) watch.pause();  // no limit between calls: the copy may wait for the reader of its output
     const process::Exceeded exceeded = watch.look(call, call.inside == 1, child.process());
     if (exceeded == process::Exceeded::nothing || !too_long.empty()) continue;
-    too_long = exceeded == process::Exceeded::wall_time ? process::did_not_return(limits.wall_seconds)
-                                                        : process::used_processor_time(limits.processor_seconds);
+    too_long = watch.in_words(exceeded);
     child.kill();
   }
 }
 
 }  // namespace
 
-StandardOutputKept::StandardOutputKept() : kept_(-1) {
-  std::fflush(stdout);
-  kept_ = ::fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 10);
-  if (kept_ != -1) ::dup2(STDERR_FILENO, STDOUT_FILENO);
-}
-
-StandardOutputKept::~StandardOutputKept() {
-  if (kept_ == -1) return;
-  std::fflush(stdout);
-  ::dup2(kept_, STDOUT_FILENO);
-  ::close(kept_);
-}
+process::RedirectedStream keep_standard_output() { return {STDOUT_FILENO, STDERR_FILENO}; }
 
 int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
   process::SharedMemory<Shared> shared(process::for_copies);
@@ -175,7 +158,7 @@ int run_supervised(const Limits& limits, const SupervisedWork& supervised) {
     end = watch_over(child, *shared, limits, too_long);
   }
   descendants.end_all();  // ends the processes that plugins have started
-  if (shared->done == 1) return shared->code;
+  if (shared->code != -1) return shared->code;
   // A signal asked this process to end. has_spoken is false if a signal killed the copy, which then wrote no message.
   if (received != 0) return supervised.interrupted(received, !end.signal_number());
   shared->disorder.back() = '\0';

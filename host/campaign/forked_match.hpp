@@ -8,11 +8,11 @@
 
 #include "campaign/job.hpp"
 #include "campaign/worker.hpp"
+#include "process/file_descriptor.hpp"
 
 namespace regista::campaign {
 
-// Thrown if the work was done, but a plugin changed the process, for example left a thread running. what() describes
-// the change.
+// Thrown if a plugin changed the process, for example left a thread running. what() describes the change.
 class LeftoverState : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -20,7 +20,7 @@ class LeftoverState : public std::runtime_error {
 // Describes how a copy of this process died before it completed its work.
 struct ChildDeath {
   std::string what;           // "Segmentation fault, in crashes.so", "ended the process (exit code 0)"
-  bool from_outside = false;  // true: a signal that people and systems send killed the copy (see End::How)
+  bool from_outside = false;  // true: a signal that people and systems send killed the copy
   WorkerNote note;            // names the call of a plugin that was under way
 };
 
@@ -38,16 +38,7 @@ struct SupervisedWork {
 // copy has started. This process must have no threads and no other children.
 int run_supervised(const Limits& limits, const SupervisedWork& supervised);
 
-// While this object exists, standard output is redirected to standard error, because standard output is for results.
-class StandardOutputKept {
- public:
-  StandardOutputKept();
-  ~StandardOutputKept();
-  StandardOutputKept(const StandardOutputKept&) = delete;
-  StandardOutputKept& operator=(const StandardOutputKept&) = delete;
-
- private:
-  int kept_;
-};
+// While the returned object exists, standard output leads to standard error, because standard output is for results.
+process::RedirectedStream keep_standard_output();
 
 }  // namespace regista::campaign

@@ -8,13 +8,14 @@
 
 #include <algorithm>
 #include <csignal>
-#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "match/digest.hpp"
+#include "campaign/mind_host.hpp"
+#include "match/teams.hpp"
 #include "mind/serialization.hpp"
 #include "process/child.hpp"
-#include "process/watch.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -48,14 +49,9 @@ void stay_on_this_processor() {
 
 class IsolatedMatch {
  public:
-  IsolatedMatch(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, Separation separation,
-                const Limits& limits, const Examination& examination, const AfterAnswers& after, WorkerNote& note)
-      : setup_(std::move(setup)),
-        plans_(plans),
-        limits_(limits),
-        examination_(examination),
-        after_(after),
-        note_(note) {
+  IsolatedMatch(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
+                std::optional<TrailWriter>& trail, WorkerNote& note)
+      : setup_(std::move(setup)), plans_(plans), job_(job), limits_(job.limits), trail_(trail), note_(note) {
     for (const match::Side side : match::both_sides) {
       setup_.roles[match::index(side)] = match::roles(*plans[match::index(side)]);
       setup_.reasons[match::index(side)] = plans[match::index(side)]->reasons();
@@ -63,8 +59,8 @@ class IsolatedMatch {
       const int size = plans[match::index(side)]->rules().team_size;
       std::vector<std::size_t>& of_robot = of_robot_[match::index(side)];
       for (int number = 1; number <= size; ++number) {
-        if (number == 1 || separation == Separation::robots)
-          thinkers_.emplace_back(MindPlace{side, separation == Separation::robots ? number : 0});
+        if (number == 1 || job.separation == Separation::robots)
+          thinkers_.emplace_back(MindPlace{side, job.separation == Separation::robots ? number : 0});
         of_robot.push_back(thinkers_.size() - 1);
       }
     }
@@ -83,10 +79,8 @@ class IsolatedMatch {
   IsolatedMatch(const IsolatedMatch&) = delete;
   IsolatedMatch& operator=(const IsolatedMatch&) = delete;
 
-  // Returns the text for the parameter `kept` of play_isolated().
-  const std::string& kept() const { return kept_; }
-
-  match::Result play() {
+  // See play_isolated().
+  match::Result play(std::string& kept) {
     if (thinkers_.size() > 2) stay_on_this_processor();
     for (Thinkers& each : thinkers_) start(each);
     for (Thinkers& each : thinkers_) hear(each);  // waits until the minds have been created
@@ -103,16 +97,16 @@ class IsolatedMatch {
       read(asked, ask(asked, Question::believe, number, {}), out);
     };
     match::Observer observer;
-    if (after_) {
-      observer.decision = [this](const match::Decision& decision) { after_(decision, answers_); };
+    if (trail_) {
+      observer.decision = [this](const match::Decision& decision) { trail_->add(decision, answers_); };
     }
     const match::Result result = match::play(setup_, think[0], think[1], &observer, beliefs);
     for (Thinkers& each : thinkers_) {
-      std::string kept;
-      read(each, ask(each, Question::finish, 0, {}), kept);
-      if (kept.empty() || kept_.find(kept) != std::string::npos) continue;
-      kept_ += fmt::format("{}{}: plugins keep in memory that all their instances share: {}", kept_.empty() ? "" : "; ",
-                           each.place.side == match::Side::home ? "home" : "away", kept);
+      std::string own;
+      read(each, ask(each, Question::finish, 0, {}), own);
+      if (own.empty() || kept.find(own) != std::string::npos) continue;
+      kept += fmt::format("{}{}: plugins keep in memory that all their instances share: {}", kept.empty() ? "" : "; ",
+                          match::name(each.place.side), own);
     }
     return result;
   }
@@ -133,7 +127,7 @@ class IsolatedMatch {
         if (&each != &started) each.channel.forget();
       }
       ::munmap(&note_, sizeof note_);
-      serve_minds(*plans_[match::index(side)], started.place, setup_.seed, examination_, started.channel);
+      serve_minds(*plans_[match::index(side)], started.place, job_, started.channel);
     });
     note_.groups[static_cast<std::size_t>(&started - thinkers_.data())] = started.process.process();
   }
@@ -147,7 +141,7 @@ class IsolatedMatch {
     texts::BytesIn answer = ask(asked, Question::decide, number, question_.bytes());
     try {
       answer(out);
-      if (examination_.answers) answer(answers_);
+      if (job_.trail) answer(answers_);
     } catch (const std::out_of_range&) {
       damaged(asked, number);
     }
@@ -210,14 +204,8 @@ class IsolatedMatch {
       if (asked.channel.replied()) break;
       for (Thinkers& each : thinkers_) look_after(each);
       if (asked.channel.replied()) break;
-      switch (watch.look(0, true, asked.process.process())) {
-        case process::Exceeded::processor_time:
-          throw Fault(noted(asked, process::used_processor_time(limits_.processor_seconds)), false);
-        case process::Exceeded::wall_time:
-          throw Fault(noted(asked, process::did_not_return(limits_.wall_seconds)), false);
-        case process::Exceeded::nothing:
-          break;
-      }
+      const process::Exceeded exceeded = watch.look(0, true, asked.process.process());
+      if (exceeded != process::Exceeded::nothing) throw Fault(noted(asked, watch.in_words(exceeded)), false);
       check_match_time(asked, watch.wall_seconds());
     }
     asked.waited += watch.wall_seconds();
@@ -289,27 +277,22 @@ class IsolatedMatch {
 
   match::Setup setup_;
   std::array<const mind::TeamPlan*, 2> plans_;
-  Limits limits_;
-  Examination examination_;
-  const AfterAnswers& after_;
+  const Job& job_;
+  const Limits& limits_;
+  std::optional<TrailWriter>& trail_;
   WorkerNote& note_;
   std::vector<Thinkers> thinkers_;
   std::array<std::vector<std::size_t>, 2> of_robot_;  // index in thinkers_, by side and robot
   struct sigaction before_ {};
   texts::BytesOut question_;
   plugin::CallTrail answers_;
-  std::string kept_;
 };
 
 }  // namespace
 
-match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
-                            Separation separation, const Limits& limits, const Examination& examination,
-                            const AfterAnswers& after, WorkerNote& note, std::string& kept) {
-  IsolatedMatch match(std::move(setup), plans, separation, limits, examination, after, note);
-  const match::Result result = match.play();
-  kept = match.kept();
-  return result;
+match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
+                            std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept) {
+  return IsolatedMatch(std::move(setup), plans, job, trail, note).play(kept);
 }
 
 }  // namespace regista::campaign

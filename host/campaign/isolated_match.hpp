@@ -8,20 +8,15 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <functional>
-#include <span>
+#include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
+#include "campaign/decision_trail.hpp"
 #include "campaign/job.hpp"
-#include "campaign/mind_host.hpp"
 #include "campaign/worker.hpp"
 #include "match/match.hpp"
-#include "match/teams.hpp"
 #include "mind/team_plan.hpp"
-#include "plugin/call_inputs.hpp"
 
 namespace regista::campaign {
 
@@ -29,18 +24,15 @@ namespace regista::campaign {
 struct Fault : std::runtime_error {
   Fault(const Failure& of, bool outside) : std::runtime_error(of.what), failure(of), from_outside(outside) {}
   Failure failure;
-  bool from_outside;  // true: the cause may be a signal from people or the system (End::How), or the machine
+  bool from_outside;  // true: the cause may be a signal from people or the system, or the machine
 };
 
-// Called with the answers of plugins in each decision, in the order of the match. May be empty.
-using AfterAnswers = std::function<void(const match::Decision&, std::span<const plugin::CallAnswer>)>;
-
-// Plays `setup` as match::play(setup, plans) does. The function copies the calling process, which must have no threads
-// and must have loaded no plugin. `note` receives the process groups, and the first try of a confined mind to reach
-// outside of its process. `kept` receives the names of variables of plugin files that confined minds
-// (process/confinement.hpp) have changed, one line; usually empty. Throws Fault, and the exceptions of match::play.
-match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans,
-                            Separation separation, const Limits& limits, const Examination& examination,
-                            const AfterAnswers& after, WorkerNote& note, std::string& kept);
+// Plays `setup` as match::play(setup, plans) does, with separation, limits and inspection of `job`, in copies of this
+// process, which must have no threads and no loaded plugin. `trail` receives the answers of plugins if the job has a
+// trail; `note` the process groups, and the first try of a confined mind to reach outside; `kept` the variables of
+// plugin files that confined minds have changed, one line, usually empty. Throws Fault, and the exceptions of
+// match::play.
+match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
+                            std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept);
 
 }  // namespace regista::campaign

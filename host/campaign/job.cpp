@@ -212,6 +212,7 @@ Answer answer_from_json(const std::string& text) {
 }
 
 MatchResult forfeit(const Failure& failure, double seconds) {
+  constexpr int goals_of_forfeit = 10;
   MatchResult out;
   out.score[static_cast<std::size_t>(1 - failure.side)] = goals_of_forfeit;
   out.ended = "forfeit";

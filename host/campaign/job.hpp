@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/match_inputs.hpp"
 #include "match/metric_numbers.hpp"
 #include "plugin/call_inputs.hpp"
 
@@ -30,8 +29,7 @@ struct Limits {
   // The first match of a pairing is played a second time, with one process for each mind. The second play shows results
   // that are not reproducible, and robots that do not decide alone, that is, from their own knowledge only.
   bool play_twice = true;
-  // true: the robots of a team may share memory, so the minds of a team share one process in both plays of a match that
-  // is played twice.
+  // true: the robots of a team may share memory, so the minds of a team share a process in both plays of a match.
   bool allow_shared_memory = false;
 
   // Returns the limit of processor time for the whole match, s (RLIMIT_CPU).
@@ -46,8 +44,7 @@ struct MatchKey {
   friend bool operator==(const MatchKey&, const MatchKey&) = default;
 };
 
-// Which metrics of a stored match are read. wanted: all metrics, some kilobytes. packets: at least
-// match::packet_metrics. left_out: no metrics.
+// The metrics of a stored match that are read. wanted: all, some kilobytes. packets: at least match::packet_metrics.
 enum class Metrics { wanted, packets, left_out };
 
 // How the minds of a match are divided among processes. The result is always the same if every robot decides alone.
@@ -57,16 +54,27 @@ enum class Separation {
   robots,  // one process for each robot
 };
 
-// A match, described by the inputs of `regista match`. Paths are relative to the folder in which the campaign started.
-struct Job {
-  std::array<std::string, 2> teams;       // files: home, away
+// One input of a match, for example {"plugin greedy (lib/greedy.so)", "greedy 9f2c..."}.
+struct Input {
+  std::string name, hash;
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+// The options of `regista match` that both teams share.
+struct MatchConditions {
   std::string rules, robot, disturbance;  // files; empty: the built-in values
   // Files: the disturbance of one side, used instead of `disturbance`; empty: the side has `disturbance`.
   std::string home_disturbance, away_disturbance;
+  std::string opening;  // file of the opening scene; empty: the match starts from kick-off
+  std::string limit;    // simulated seconds, as typed; empty: no limit, or the opening's length
+  friend bool operator==(const MatchConditions&, const MatchConditions&) = default;
+};
+
+// A match, described by the inputs of `regista match`. Paths are relative to the folder in which the campaign started.
+struct Job : MatchConditions {
+  std::array<std::string, 2> teams;    // files: home, away
   std::vector<std::string> overrides;  // values of --set, as `regista match` reads them
   std::vector<std::string> plugins;    // folders of --plugins
-  std::string opening;                 // file of the opening scene; empty: the match starts from kick-off
-  std::string limit;                   // simulated seconds, as typed; empty: no limit, or the opening's length
   std::uint64_t seed = 1;
   std::string record;            // file for the worker's recording, replaced if it exists; empty: none; not in the key
   bool expects_failure = false;  // true: the worker saves its recording more often, because it will probably die
@@ -83,7 +91,7 @@ struct Job {
   std::string root;
   // Files of the plugins of the job's teams, found in the plugin folders; empty: the worker searches the folders.
   std::vector<std::string> plugin_files;
-  // The inputs of the match (match_inputs.hpp). A worker does not play if the files hold other inputs.
+  // The inputs of the match (match_setup.hpp). A worker does not play if the files hold other inputs.
   std::vector<Input> home_inputs, away_inputs, common_inputs;
   friend bool operator==(const Job&, const Job&) = default;
 };
@@ -148,13 +156,10 @@ Failure failure_from_json(const std::string& text);
 std::string to_json(const std::vector<Input>& inputs);
 std::vector<Input> inputs_from_json(const std::string& text);
 
-inline constexpr int goals_of_forfeit = 10;
-
 // Returns the result of a match that the side in `failure` forfeits. seconds: s of wall time.
 MatchResult forfeit(const Failure& failure, double seconds);
 
-// Reads a whole number from 0 to `most` from a stored text, which may be damaged. Throws std::out_of_range for any
-// other value. Checks the value before the conversion, because C++ does not define the conversion of other values.
+// Reads a whole number from 0 to `most` from a stored text. Throws std::out_of_range for any other value.
 std::uint64_t whole_number(const nlohmann::ordered_json& json, std::uint64_t most = UINT64_MAX);
 
 }  // namespace regista::campaign

@@ -41,8 +41,7 @@ std::string names_text(const match::MetricNames& names);
 std::shared_ptr<const match::MetricNames> names_of(const std::string& text);
 
 std::string number_bytes(std::span<const double> values);
-// Unpacks the numbers that number_bytes() packed. Throws std::invalid_argument unless `bytes` holds exactly `count`
-// numbers.
+// Throws std::invalid_argument unless number_bytes() has packed exactly `count` numbers.
 std::vector<double> numbers_of(std::string_view bytes, std::size_t count);
 
 // --- The match
@@ -52,16 +51,15 @@ struct PlayedMatch {
   std::uint64_t seed = 1;
   std::string opening;  // name; empty: from kick-off
   match::RoleNames role_names;
-  int budget = 0;  // packets of a team, without the packets for added time
-  // The share of a short match in the budget of a whole match, in packets. Empty for a whole match, and if the rules
-  // already reduce the budget of a short match.
-  std::optional<double> packets_share;
+  int budget = 0;                       // packets of a team, without the packets for added time
+  std::optional<double> packets_share;  // see packets_share_of()
   double wall_seconds = 0.0;
   match::Result result;
 };
 
-// Returns PlayedMatch::packets_share: 30 for a game of 30 s by rules with 1200 s and a budget of 1200 packets. A short
-// game has the budget of a whole match, so a team that spends all packets in a few seconds looks better than it is.
+// Returns the share of a short match in the budget of a whole match, in packets: 30 for a game of 30 s by rules with
+// 1200 s and 1200 packets. Empty for a whole match, and if the rules already reduce the budget of a short match.
+// Without this share, a team that spends all packets in a few seconds looks better than it is.
 std::optional<double> packets_share_of(const match::Setup& setup);
 
 match::MetricNumbers numbers_of(const PlayedMatch& match,

@@ -96,11 +96,8 @@ void MatchRun::start(Stage stage) {
   } else {
     ++plays_;
   }
-  if (job.trail) {
-    if (!trail_) trail_ = std::make_unique<TrailFile>();
-    trail_->clear();
-  }
-  worker_ = std::make_unique<Worker>(job, limits_, note_, job.trail ? trail_->descriptor() : -1, server_);
+  if (job.trail && !trail_.is_open()) trail_ = trail_file();
+  worker_ = std::make_unique<Worker>(job, note_, job.trail ? trail_.number : -1, server_);
 }
 
 bool MatchRun::advance() {
@@ -122,8 +119,7 @@ void MatchRun::settle() {
   const End end = worker_->end();
   std::optional<Answer> answer;
   std::string what = end.text;
-  bool from_outside = end.how == End::How::killed_from_outside || end.how == End::How::stopped;
-  if (end.how == End::How::answered) {
+  if (end.answered) {
     try {
       answer = answer_from_json(end.text);
     } catch (const std::invalid_argument&) {
@@ -142,7 +138,7 @@ void MatchRun::settle() {
   const std::optional<Failure> failure =
       answer && answer->kind == Answer::Kind::failed ? answer->decided.failure : std::nullopt;
   blame_nobody_for_overwritten_files(failure ? failure->what : what);
-  Attempt attempt{isolated(stage_), false, from_outside, {}, what_failed(what, answer)};
+  Attempt attempt{isolated(stage_), false, end.from_outside, {}, what_failed(what, answer)};
   if (!answer && separation(stage_) == Separation::none) attempt.what = in_words(what, end.note);
   if (failure) {
     if (stage_ == Stage::second) second_failure_ = failure;
@@ -152,8 +148,7 @@ void MatchRun::settle() {
   // A kill from outside must not change the report: a play that tests or explains the first play is repeated.
   if (again && attempt.from_outside && killed_++ < isolated_plays) {
     accident_ = attempt.what;
-    start(stage_);
-    return;
+    return start(stage_);
   }
   if (is_traced(stage_) || stage_ == Stage::alone)
     explanation_failed(attempt, answer);
@@ -162,61 +157,44 @@ void MatchRun::settle() {
 }
 
 void MatchRun::played(const Answer& answer) {
+  const auto difference = [this] { return first_difference(first_trail_, process::everything_in(trail_.number)); };
   switch (stage_) {
     case Stage::first:
       not_recorded_ = answer.message;
       if (!twice_) break;
       first_ = answer.decided;
-      start(Stage::second);
-      return;
+      return start(Stage::second);
     case Stage::second:
-      compare(answer.decided);
-      return;
+      return compare(answer.decided);
     case Stage::alone:
       alone_ = true;
       if (!same_match(*first_, answer.decided)) {
-        if (first_->broken.empty()) {
-          start(Stage::traced);
-          return;
-        }
+        if (first_->broken.empty()) return start(Stage::traced);
         first_->unproven =
             "the match comes out otherwise where each robot is alone in a process; why, the plays that find "
             "it out cannot say, for they end at the broken promise";
       }
-      decide_first();
-      return;
-    case Stage::traced: {
-      const bool same = same_match(*first_, answer.decided);
-      first_trail_ = trail_->content();
-      start(same ? Stage::traced_alone : Stage::traced_here);
-      return;
-    }
+      return decide_first();
+    case Stage::traced:
+      first_trail_ = process::everything_in(trail_.number);
+      return start(same_match(*first_, answer.decided) ? Stage::traced_alone : Stage::traced_here);
     case Stage::traced_here:
-      first_->irreproducible = first_difference(first_trail_, trail_->content());
-      decide_different();
-      return;
+      first_->irreproducible = difference();
+      return decide_different();
     case Stage::traced_alone:
-      if (same_match(*first_, answer.decided)) {
-        start(Stage::traced_hiding);
-        return;
-      }
-      first_->shared = first_difference(first_trail_, trail_->content());
-      decide_different();
-      return;
+      if (same_match(*first_, answer.decided)) return start(Stage::traced_hiding);
+      first_->shared = difference();
+      return decide_different();
     case Stage::traced_hiding:
-      first_->irreproducible = first_difference(first_trail_, trail_->content());
+      first_->irreproducible = difference();
       if (!first_->irreproducible.empty())
         first_->irreproducible += ", where what it does not declare to read is left out";
-      decide_different();
-      return;
+      return decide_different();
     default:
       break;
   }
   attempts_.push_back({isolated(stage_), true, false, {}, {}});
-  if (first_) {
-    compare(answer.decided);
-    return;
-  }
+  if (first_) return compare(answer.decided);
   switch (judge(attempts_)) {
     case Judgement::counts: {
       MatchResult out = answer.decided;
@@ -243,10 +221,7 @@ void MatchRun::failed(Attempt attempt) {
   switch (judge(attempts_)) {
     case Judgement::forfeit: {
       const Failure& failure = *attempts_.back().failure;
-      if (!first_) {
-        decide(forfeit(failure, 0.0));
-        break;
-      }
+      if (!first_) return decide(forfeit(failure, 0.0));
       // A broken promise is only a remark here, because the pairing's other matches are inspected less closely.
       first_->broken = (failure.robot == 0 ? "" : place(failure)) + attempts_.back().what;
       if (limits_.allow_shared_memory)
@@ -268,10 +243,7 @@ void MatchRun::failed(Attempt attempt) {
 void MatchRun::compare(const MatchResult& again) {
   first_->kept = again.kept;
   alone_ = alone_ || stage_ == Stage::second;
-  if (!same_match(*first_, again) && first_->shared.empty()) {
-    start(Stage::traced);
-    return;
-  }
+  if (!same_match(*first_, again) && first_->shared.empty()) return start(Stage::traced);
   // The second play may have failed because a file was missing in its folder, or because each robot had a process of
   // its own. A play of Stage::alone has the usual folder, so only the second cause can make this play fail.
   const bool second_failed = stage_ == Stage::isolated && !attempts_.front().from_outside;
@@ -332,10 +304,7 @@ void MatchRun::decide(MatchResult decided) {
   decided.output = output_;
   decided_ = std::move(decided);
   complete_ = true;
-  if (decided_->set_aside()) {
-    remove(job_.record);
-    return;
-  }
+  if (decided_->set_aside()) return remove(job_.record);
   // The recording of the first play counts, unless a play failed or each team had its own process in the first play.
   const bool first_counts = attempts_.empty() || (attempts_.size() == 1 && attempts_.front().played);
   const bool wanted = decided_->failure ? !failure_record_.empty() || !job_.record.empty() : !job_.record.empty();

@@ -19,9 +19,8 @@ namespace regista::campaign {
 
 class MatchRun {
  public:
-  // twice: a second play tests the first play. failure_record: the file for the recording of a match that fails; empty:
-  // no recording. server: a fork server, which starts workers faster and must outlive this object; null: no server.
-  // Throws std::system_error if a worker cannot be started.
+  // twice: a second play tests the first play. failure_record: file for the recording of a match that fails; empty:
+  // none. server: a fork server, which must outlive this object; null: none. Throws std::system_error.
   MatchRun(Job job, const Limits& limits, bool twice, std::string failure_record, ForkServer* server = nullptr);
   MatchRun(const MatchRun&) = delete;  // not copyable, because the worker writes into note_
   MatchRun& operator=(const MatchRun&) = delete;
@@ -54,7 +53,6 @@ class MatchRun {
     traced_here,    // if `traced` had another result: not perturbed, with the processes of the first play
     recording,      // only records the match, with all minds in one process
   };
-  // Returns whether the worker writes the answers of plugins to the trail in this play.
   static bool is_traced(Stage stage) { return stage >= Stage::traced && stage <= Stage::traced_here; }
   bool isolated(Stage stage) const;
   Separation separation(Stage stage) const;
@@ -79,7 +77,7 @@ class MatchRun {
   std::vector<std::pair<std::string, plugin::FileStamp>> plugin_files_;  // stamps made before the files were opened
   Stage stage_ = Stage::first;
   SharedNote note_;
-  std::unique_ptr<TrailFile> trail_;
+  process::FileDescriptor trail_;
   std::string first_trail_;
   std::optional<Failure> second_failure_;
   std::size_t killed_ = 0;  // number of plays after the first that were killed from outside

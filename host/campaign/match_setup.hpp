@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Reads all inputs of a match from the files that a command line or a job names. Checks whether these files still hold
-// the inputs of a job.
+// Reads all inputs of a match from the files that a job names, and lists these inputs except the seed as names and
+// hashes of contents. The key of a fixture is made of the hashes; names are for people. Two matches with the same key
+// and seed are the same match, so only one of them is played.
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,21 +30,9 @@ namespace regista::campaign {
 // sides), home_disturbance, away_disturbance or opening. A path without such a part goes to both teams.
 config::Overrides overrides_for(std::string_view document, const config::Overrides& all);
 
-// Throws config::Error for a path of `--set` that begins with home or away, as in version 0.2. Stored matches may have
-// such paths.
+// Throws config::Error for a path of `--set` that begins with home or away, which only old stored matches may have.
 void refuse_former_sides(const config::Overrides& typed);
 
-struct MatchRequest {
-  std::vector<std::string> teams;         // files: home, away
-  std::string rules, robot, disturbance;  // files; empty: the built-in values
-  // Files: the disturbance of one side, used instead of `disturbance`; empty: the side has `disturbance`.
-  std::string home_disturbance, away_disturbance;
-  std::string opening;            // file; empty: the match starts from kick-off
-  config::Overrides overrides;    // values of --set
-  std::string seed = "1", limit;  // as typed; `limit` empty: no limit
-};
-
-// A team that has been read for a match.
 struct TeamSetup {
   std::shared_ptr<const config::Node> document;  // the team's document, changed by the values of --set
   std::shared_ptr<const mind::TeamPlan> plan;    // must not outlive the catalogue
@@ -57,8 +46,7 @@ struct MatchSetup {
   std::vector<config::Warning> warnings;                         // about both teams, each warning once
 };
 
-// The keys that a team's document may have. present: only keys of this version. former_too: also former keys, which
-// stored matches may use (config/renamed_keys.hpp).
+// The keys of a team's document. former_too: also former keys, which stored matches have (config/renamed_keys.hpp).
 enum class KeyNames { present, former_too };
 
 // Reads a team's document. Throws config::Error.
@@ -69,23 +57,42 @@ TeamSetup team_setup(const std::string& file, const config::Overrides& overrides
 // A function that reads the team of one side as team_setup() does, or returns a team that was read before.
 using ReadTeam = std::function<TeamSetup(const std::string& file, const config::Overrides& overrides,
                                          const config::Rules& rules, const config::Robot& robot)>;
+ReadTeam team_reader(const plugin::Catalogue& catalogue, KeyNames names = KeyNames::present);  // calls team_setup()
 
-// Reads all files of a match. Both functions throw config::BadInput and config::Error.
-MatchSetup match_setup(const MatchRequest& request, const ReadTeam& read_team);
-MatchSetup match_setup(const MatchRequest& request, const plugin::Catalogue& catalogue,
-                       KeyNames names = KeyNames::present);
+// Read all files of a match. overrides: instead of those of the job. Both throw config::BadInput and config::Error.
+MatchSetup match_setup(const Job& job, const config::Overrides& overrides, const ReadTeam& read_team);
+MatchSetup match_setup(const Job& job, const plugin::Catalogue& catalogue, KeyNames names = KeyNames::present);
 
 // Returns the description of a match before its play: all members except `result` and `wall_seconds`.
 PlayedMatch match_to_play(const MatchSetup& prepared);
 
-MatchRequest request_of(const Job& job);
-// Returns the job of a request. The caller must still set the inputs and the plugin files of the job.
-Job job_of(const MatchRequest& request, const std::vector<std::string>& plugins);
+// Returns the inputs of one team: its resolved document, its plugins, and the files that its parameters name. The order
+// of the inputs depends only on contents and ids. root: the folder of copies of the files (stored_setup.hpp). All names
+// and contents leave `root` out, so that copies give the same inputs as the files.
+std::vector<Input> team_inputs(const mind::TeamPlan& plan, const config::Node& document,
+                               const plugin::Catalogue& catalogue, const std::string& root = {});
+
+inline constexpr const char* program_input = "program";
+inline constexpr const char* mathematics_input = "mathematics library";
+
+// Returns the inputs for both teams: rules, robot, disturbances, limit, program, mathematics library, opening.
+std::vector<Input> common_inputs(const match::Setup& setup, const std::string& program, const std::string& mathematics);
+
+Input opening_input(config::Opening opening);
+
+// Returns the key of a fixture, 32 hexadecimal digits. home, away: team_inputs(); exchanged sides give another key.
+std::string fixture_key(std::span<const Input> home, std::span<const Input> away, std::span<const Input> common);
+
+// Returns the hash of the running program, even if its file has been replaced since. Throws std::runtime_error.
+std::string program_hash();
+
+// Returns the version of the C library and a hash of the results of its functions at a few hundred points. The last
+// digits of these results depend on the version and on the processor family, for which the library chooses its code.
+std::string mathematics_fingerprint();
 
 // Returns the hash of the job's common input with this name; empty if the job has no such input.
 std::string input_of(const Job& job, const std::string& name);
 
-// All inputs of a match, from the current content of the files.
 struct FoundInputs {
   std::vector<Input> home, away, common;
 };
@@ -94,7 +101,10 @@ struct FoundInputs {
 FoundInputs inputs_of(const MatchSetup& prepared, const plugin::Catalogue& catalogue, const std::string& program,
                       const std::string& mathematics, const std::string& root = {});
 
-// Lists in words how the current inputs differ from the inputs of the job; empty if all inputs are equal.
+// Lists in words the inputs that have changed, are gone or are new: "plugin greedy (lib/greedy.so) has changed". Each
+// name appears once. Inputs whose names differ only in the path in brackets are the same input.
+std::vector<std::string> differences(std::span<const Input> before, std::span<const Input> now);
+// Both functions return the differences between the inputs of the job and the current inputs; empty if all are equal.
 std::string what_changed(const Job& job, const FoundInputs& now);
 std::string what_changed(const Job& job, const MatchSetup& prepared, const plugin::Catalogue& catalogue,
                          const std::string& program, const std::string& mathematics, const std::string& root = {});

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cerrno>
 #include <cstring>
 #include <ctime>
 #include <exception>
@@ -47,21 +46,22 @@ Failure failure_of(const plugin::CallNote& note, int side, const char* what) {
   return {side, note.plugin.data(), note.call.data(), note.robot, note.tick, what};
 }
 
+bool is_confined(const Job& job) { return job.separation == Separation::robots; }
+
 class MindHost {
  public:
-  MindHost(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed, const Examination& examination,
-           MindChannel& channel)
+  MindHost(const mind::TeamPlan& plan, const MindPlace& place, const Job& job, MindChannel& channel)
       : first_(std::max(place.robot, 1)),
-        answers_wanted_(examination.answers),
-        looks_at_memory_(examination.confined),
+        answers_wanted_(job.trail),
+        looks_at_memory_(is_confined(job)),
         channel_(channel) {
     const plugin::CallTracing tracing{&channel.note().call, static_cast<std::int32_t>(match::index(place.side)),
-                                      examination.look, answers_wanted_ ? &answers_ : nullptr, examination.hides};
+                                      job.look, answers_wanted_ ? &answers_ : nullptr, job.hides};
     const mind::MindOptions telling{.log = mind::to_standard_error(REGISTA_LOG_WARNING, mind::most_kept_of_log)};
     if (place.robot == 0)
-      minds_ = match::minds(plan, place.side, seed, tracing, telling);
+      minds_ = match::minds(plan, place.side, job.seed, tracing, telling);
     else
-      minds_.push_back(match::mind(plan, place.side, place.robot, seed, tracing, telling));
+      minds_.push_back(match::mind(plan, place.side, place.robot, job.seed, tracing, telling));
   }
 
   void answer() {
@@ -100,8 +100,7 @@ class MindHost {
     if (answers_wanted_) out_(answers_);
   }
 
-  // Called after 50 decisions (decisions_before_memory), so that data that a plugin creates at its first use do not
-  // count as a change.
+  // Called after some decisions, because data that a plugin creates at its first use do not count as a change.
   void remember_memory() {
     for (const void* const object : plugin::noted_objects()) memory_.emplace_back(object).remember();
   }
@@ -203,18 +202,17 @@ std::span<const std::uint8_t> MindChannel::bytes() const {
   return std::span(shared_->bytes).first(std::min<std::size_t>(shared_->size, most_bytes));
 }
 
-void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed, const Examination& examination,
-                 MindChannel& channel) noexcept {
+void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, const Job& job, MindChannel& channel) noexcept {
   const int number = static_cast<int>(match::index(place.side));
   plugin::note_fatal_signals(channel.note().fatal);
-  if (examination.confined) confine(channel.note());
+  if (is_confined(job)) confine(channel.note());
   plugin::keep_orphans();
   const plugin::ProcessState before = plugin::ProcessState::now();
   const pid_t here = ::getpid();
   try {
     // The host is never destroyed; only Question::finish ends its minds. A destructor in a damaged process could end
     // the process before the process has reported the plugin.
-    MindHost& host = *new MindHost(plan, place, seed, examination, channel);
+    MindHost& host = *new MindHost(plan, place, job, channel);
     for (;;) {
       channel.answer(Reply::done, host.bytes());
       channel.wait_for_question();

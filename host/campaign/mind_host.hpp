@@ -13,7 +13,6 @@
 #include "match/metrics_world.hpp"
 #include "match/side.hpp"
 #include "mind/team_plan.hpp"
-#include "plugin/call_inputs.hpp"
 #include "texts/bytes.hpp"
 
 // Converts the beliefs of a mind to bytes and back: see texts/bytes.hpp.
@@ -93,16 +92,6 @@ class MindChannel {
   process::SharedMemory<Shared> shared_{process::for_copies};
 };
 
-// The tests of plugins that a process of minds makes during the match.
-struct Examination {
-  plugin::Inspection look = plugin::Inspection::seldom;
-  bool hides = false;    // true: inspected calls see only those inputs that their plugins declare to read
-  bool answers = false;  // true: the process sends the answers of plugins with each outcome
-  // true: the process is confined (process/confinement.hpp), and its note gets the first try to reach outside. At the
-  // end, the minds report the variables of plugin files that have changed.
-  bool confined = false;
-};
-
 // The minds of one process: all minds of one side, or one mind.
 struct MindPlace {
   match::Side side = match::Side::home;
@@ -110,8 +99,10 @@ struct MindPlace {
 };
 
 // Serves minds in a fresh copy of the match's process. The first answer tells the match that the minds have been
-// created. The function throws nothing and never returns, because its callers belong to the match, not to this copy.
-[[noreturn]] void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, std::uint64_t seed,
-                              const Examination& examination, MindChannel& channel) noexcept;
+// created. If the job has a trail, each outcome comes with the answers of plugins. Minds that are alone in a process
+// are confined (process/confinement.hpp): the note gets their first try to reach outside, and at the end they report
+// changed variables of plugin files. Throws nothing and never returns, because its callers belong to the match.
+[[noreturn]] void serve_minds(const mind::TeamPlan& plan, const MindPlace& place, const Job& job,
+                              MindChannel& channel) noexcept;
 
 }  // namespace regista::campaign

@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <new>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -20,7 +19,6 @@
 #include "campaign/decision_trail.hpp"
 #include "campaign/isolated_match.hpp"
 #include "campaign/match_encoding.hpp"
-#include "campaign/match_inputs.hpp"
 #include "config/errors.hpp"
 #include "match/game_state.hpp"
 #include "match/teams.hpp"
@@ -150,19 +148,6 @@ match::Result play_here(const Job& job, MatchSetup& prepared, const std::array<c
   return result;
 }
 
-match::Result play_isolated(const Job& job, MatchSetup& prepared, const std::array<const mind::TeamPlan*, 2>& plans,
-                            std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept) {
-  AfterAnswers after;
-  if (trail) {
-    after = [&trail](const match::Decision& decision, std::span<const plugin::CallAnswer> answers) {
-      trail->add(decision, answers);
-    };
-  }
-  const bool alone = job.separation == Separation::robots;
-  return play_isolated(std::move(prepared.setup), plans, job.separation, job.limits,
-                       {job.look, job.hides, trail.has_value(), alone}, after, note, kept);
-}
-
 Answer failed(const Failure& failure, bool from_outside) {
   return {.kind = Answer::Kind::failed, .decided = {.failure = failure}, .from_outside = from_outside};
 }
@@ -186,7 +171,7 @@ Answer play(const Surroundings& surroundings, WorkerNote& note) {
   const Job job = job_from_json(process::everything_in(STDIN_FILENO));
   if (!job.is_apart()) plugin::note_fatal_signals(note.fatal);
   const plugin::Catalogue catalogue = plugins_of(job, surroundings);
-  MatchSetup prepared = match_setup(request_of(job), catalogue, KeyNames::former_too);
+  MatchSetup prepared = match_setup(job, catalogue, KeyNames::former_too);
   // The coordinator uses the same program and mathematics library, so their hashes are taken from the job.
   const std::string changed =
       what_changed(job, prepared, catalogue, input_of(job, program_input), input_of(job, mathematics_input), job.root);
@@ -205,7 +190,7 @@ Answer play_job(const Job& job, MatchSetup prepared, const std::string& program,
   if (job.perturbed) perturb_surroundings();
   std::string kept;
   try {
-    played.result = job.is_apart() ? play_isolated(job, prepared, plans, trail, note, kept)
+    played.result = job.is_apart() ? play_isolated(std::move(prepared.setup), plans, job, trail, note, kept)
                                    : play_here(job, prepared, plans, recording, trail, note);
   } catch (const std::invalid_argument& error) {
     throw config::BadInput(error.what());  // rules, robot and teams do not fit together

@@ -23,7 +23,6 @@ Answer answer_of(const std::function<Answer()>& play);
 // Sends the answer to the coordinator. Returns false if no process reads the answer.
 bool hand_over(const Answer& answer);
 
-// The version of the program, and the program's function that opens plugins.
 struct Surroundings {
   std::string program;  // "regista 0.1.0", for recordings
   // Opens the plugins of these folders and of the program's own folder, for a job that names no plugin files.

@@ -12,13 +12,12 @@
 #include <utility>
 
 #include "campaign/stored_row.hpp"
+#include "texts/message.hpp"
 
 namespace regista::campaign {
 namespace {
 
 constexpr std::size_t most_named = 10;  // largest number of damaged rows that a message names
-
-std::string tables() { return StoredFixtures::tables + StoredMatches::tables() + StoredDocuments::tables; }
 
 constexpr auto between_tries = std::chrono::milliseconds(100);
 constexpr auto usual_patience = std::chrono::seconds(5);
@@ -84,9 +83,8 @@ auto guarded(Impl& parts, Work work) {
 
 struct Store::Impl {
   Impl(const std::filesystem::path& path, Mode mode, const std::string& version, Journal journal)
-      : file(path, mode, version, tables(), journal),
+      : file(path, mode, version, StoredFixtures::tables + StoredMatches::tables() + documents_table, journal),
         fixtures(file.database()),
-        documents(file.database()),
         matches(opened(file)) {}
 
   // Refuses a file of this program in which another program has changed the tables.
@@ -186,7 +184,6 @@ struct Store::Impl {
 
   StoreFile file;
   StoredFixtures fixtures;
-  StoredDocuments documents;
   StoredMatches matches;
   bool reading = false;
   std::deque<Waiting> waiting;
@@ -215,17 +212,15 @@ std::vector<std::int64_t> Store::numbers(std::span<const std::string> keys) cons
 
 std::vector<std::int64_t> Store::add(std::span<const Fixture> fixtures) {
   guarded(*parts_, [&] { parts_->write([&] { parts_->fixtures.add(fixtures); }); });
-  std::vector<std::string> keys;
-  for (const Fixture& fixture : fixtures) keys.push_back(fixture.key);
-  return numbers(keys);
+  return numbers(texts::names_of(fixtures, &Fixture::key));
 }
 
 void Store::keep(std::span<const Document> documents) {
-  guarded(*parts_, [&] { parts_->write([&] { parts_->documents.keep(documents); }); });
+  guarded(*parts_, [&] { parts_->write([&] { write_documents(parts_->file.database(), documents); }); });
 }
 
 std::vector<Document> Store::documents() const {
-  return guarded(*parts_, [&] { return parts_->documents.all(); });
+  return guarded(*parts_, [&] { return read_documents(parts_->file.database()); });
 }
 
 std::optional<MatchResult> Store::find(std::int64_t row, const MatchKey& key, Metrics metrics) const {
@@ -278,9 +273,7 @@ Taken Store::take(const Store& other, Unknown unknown) {
     return there.fixtures.keys();
   });
   if (unknown == Unknown::planned) add(guarded(there, [&] { return there.fixtures.all(); }));
-  std::vector<std::string> keys;
-  for (const auto& [number, key] : theirs) keys.push_back(key);
-  const std::vector<std::int64_t> ours = numbers(keys);
+  const std::vector<std::int64_t> ours = numbers(texts::names_of(theirs, [](const auto& each) { return each.second; }));
   FixtureNumbers mine;
   for (std::size_t i = 0; i < theirs.size(); ++i) {
     if (ours[i] != 0) mine.emplace(theirs[i].first, ours[i]);

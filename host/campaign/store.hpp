@@ -12,10 +12,8 @@
 //   meta(name, value)                 "program": version that made the file; "schedule": the study's plan as JSON
 //
 // A seed is stored as the signed number with the same bits. In the row of a forfeit, columns without a value are null.
-// Every row has a checksum, which the store checks when it reads the row. docs/results.md describes the file for other
-// programs.
-//
-// While another program, such as SQLite's own shell, holds the lock for writing, new results wait in memory.
+// Every row has a checksum, which the store checks when it reads the row. While another program, such as SQLite's own
+// shell, holds the lock for writing, new results wait in memory. docs/results.md describes the file for other programs.
 #pragma once
 
 #include <chrono>
@@ -84,9 +82,8 @@ class Store {
   // Waits until no other program holds the lock, then writes all waiting matches.
   void settle();
   bool waiting_is_full() const;
-  // The store calls `go_on` repeatedly while another program holds the lock, and once when the lock is free again. If
-  // `go_on` returns false, the store stops waiting, drops the waiting matches and throws StoreError. Without `go_on`,
-  // the store waits for 5 s.
+  // The store calls `go_on` repeatedly while another program holds the lock, and once when it is free again. If `go_on`
+  // returns false, the store drops the waiting matches and throws StoreError. Without it, the store waits for 5 s.
   void when_locked(std::function<bool(const Locked& locked)> go_on);
 
   std::int64_t rows() const;
@@ -101,9 +98,8 @@ class Store {
   using Planned = std::function<bool(std::int64_t row, const MatchKey& key)>;
   void require_planned(std::int64_t from, std::int64_t to, const Planned& planned) const;
 
-  // Copies the matches of `other`, a file of the same study, that this file lacks, to the same rows, in one
-  // transaction. If this file lacks the fixture of a match, `refused` refuses the match, and `planned` adds the
-  // fixture.
+  // Copies the matches of `other`, a file of this study, that this file lacks, to the same rows, in one transaction. If
+  // this file lacks the fixture of a match, `refused` refuses the match, and `planned` adds it.
   enum class Unknown { refused, planned };
   Taken take(const Store& other, Unknown unknown = Unknown::refused);
 

@@ -111,8 +111,6 @@ class StoreFile::Hold {
   ~Hold() {
     if (file_.is_open()) process::unlock_file(file_.number);
   }
-  Hold(const Hold&) = delete;
-  Hold& operator=(const Hold&) = delete;
 
   // Returns whether the file has the head of a file of this program ("Database File Format", sqlite.org).
   bool begins_as_ours() const {

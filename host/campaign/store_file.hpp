@@ -73,8 +73,6 @@ class StoreFile {
   StoreFile(const std::filesystem::path& file, StoreMode mode, const std::string& program_version,
             const std::string& tables, Journal journal);
   ~StoreFile();
-  StoreFile(const StoreFile&) = delete;
-  StoreFile& operator=(const StoreFile&) = delete;
 
   const std::string& name() const { return name_; }
   SQLite::Database& database() { return *database_; }
@@ -94,8 +92,7 @@ class StoreFile {
   // Throws StoreGone if the file or its log was moved, deleted or replaced, or if the file is shorter than before or
   // has another head. Rows in a deleted file are lost. Rows in a deleted log are lost if this process dies.
   void require();
-  // Notes the state of the file for require(); must be called after each write. Throws StoreGone if the file or its log
-  // was moved, deleted or replaced.
+  // Notes the state of the file for require(), after each write. Throws StoreGone for another file or log in its place.
   void remember();
   // Calls require() and reads the whole file. Throws StoreGone if the file is no longer a sound database.
   void require_whole();

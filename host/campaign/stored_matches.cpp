@@ -139,7 +139,6 @@ class Packets {
   std::shared_ptr<const match::MetricNames> names_ = names();
 };
 
-// Returns the key of the match in the current row of the statement.
 MatchKey key_of(SQLite::Statement& row) {
   return {row.getColumn(1).getInt64(), std::bit_cast<std::uint64_t>(row.getColumn(2).getInt64())};
 }
@@ -185,7 +184,6 @@ struct StoredMatches::Impl {
       : database(in),
         metrics(in, written_to),
         packets(in, written_to),
-        by_row(in, select_where("row = ?")),
         in_order(in, fmt::format("{} FROM matches", columns)),
         by_key(in, select_where("fixture = ? AND seed = ?")),
         remarks(in, "SELECT kind, text, checksum FROM remarks WHERE row = ?"),
@@ -267,8 +265,10 @@ struct StoredMatches::Impl {
       decided = other.decided_of(cursor, Metrics::left_out);
       if (decided.hash.empty()) return;
       numbers = other.metrics.packed(row);
+      if (!numbers) throw DamagedRow(row, "its metrics are missing");
       spent = other.packets.packed(row);
-      if (!names.contains(numbers->names)) text = other.metrics.text_of_names(row, numbers->names);
+      if (names.contains(numbers->names)) return;
+      text = reading_row(row, "metrics: ", [&] { return other.metrics.text_of_names(numbers->names); });
     });
     const auto fixture = fixtures.find(theirs.fixture);
     if (fixture == fixtures.end()) throw DamagedRow(row, "nothing like it was planned");
@@ -277,7 +277,7 @@ struct StoredMatches::Impl {
       names.emplace(numbers->names, reading_row(row, "metrics: ", [&] { return metrics.number_of_names(*text); }));
     }
     if (put(*insert_new, row, key, decided, attempts)) {
-      if (numbers) metrics.write(row, *numbers, names.at(numbers->names));
+      if (numbers) metrics.write(row, {names.at(numbers->names), numbers->size, numbers->frame});
       if (spent) packets.write(row, *spent);
       ++out.rows;
       return;
@@ -322,7 +322,6 @@ struct StoredMatches::Impl {
   SQLite::Database& database;
   StoredMetrics metrics;
   Packets packets;
-  SQLite::Statement by_row;
   RowsInOrder in_order;
   SQLite::Statement by_key, remarks;
   std::optional<SQLite::Statement> insert, insert_new, insert_remark;
@@ -346,13 +345,10 @@ std::optional<MatchResult> StoredMatches::find(std::int64_t row, const MatchKey&
 }
 
 std::optional<StoredMatches::Row> StoredMatches::row(std::int64_t row) {
-  SQLite::Statement& select = parts_->by_row;
-  select.tryReset();
-  select.bind(1, row);
-  if (!select.executeStep()) return std::nullopt;
-  const MatchKey key = key_of(select);
-  Row out{key, parts_->decided_of(select, Metrics::wanted)};
-  select.reset();
+  SQLite::Statement* const found = parts_->in_order.at(row);
+  if (found == nullptr) return std::nullopt;
+  Row out{key_of(*found), parts_->decided_of(*found, Metrics::wanted)};
+  parts_->in_order.reset();
   return out;
 }
 
@@ -419,7 +415,6 @@ std::vector<std::int64_t> StoredMatches::damaged_rows() {
 }
 
 void StoredMatches::reset() {
-  parts_->by_row.tryReset();
   parts_->in_order.reset();
   parts_->by_key.tryReset();
   parts_->metrics.reset();

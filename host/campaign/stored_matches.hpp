@@ -37,13 +37,10 @@ class StoredMatches {
   static std::string tables();
 
   // `database` must have the tables of tables() and outlive this object. Functions throw SQLite::Exception and
-  // DamagedRow.
+  // DamagedRow. find(), metric_paths() and insert() do what these functions of Store do.
   StoredMatches(SQLite::Database& database, bool written_to);
   ~StoredMatches();
-  StoredMatches(const StoredMatches&) = delete;
-  StoredMatches& operator=(const StoredMatches&) = delete;
 
-  // Returns the stored match with this key; nothing if there is none. Reads `row` first, where the match usually is.
   std::optional<MatchResult> find(std::int64_t row, const MatchKey& key, Metrics metrics);
   struct Row {
     MatchKey key;
@@ -54,10 +51,9 @@ class StoredMatches {
   // Returns the first row from `from` to `to` for which `planned` returns false; nothing if there is no such row.
   std::optional<std::int64_t> first_not_planned(
       std::int64_t from, std::int64_t to, const std::function<bool(std::int64_t row, const MatchKey& key)>& planned);
-  // Returns the paths of all metrics in rows 1 to `rows`, each path once, in the order of first appearance.
   match::MetricPaths metric_paths(std::int64_t rows);
 
-  // Adds a match; must be called within a transaction. Throws if the key is already stored, or if the row is taken.
+  // Must be called within a transaction.
   void insert(std::int64_t row, const MatchKey& key, const MatchResult& decided, int attempts);
 
   // Copies the matches of `other` that this file lacks into the same rows, within a transaction of the caller. Refuses

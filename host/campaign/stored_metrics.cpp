@@ -11,7 +11,6 @@
 #include "campaign/match_encoding.hpp"
 #include "campaign/stored_row.hpp"
 #include "match/side.hpp"
-#include "mcap/encoding.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -46,7 +45,7 @@ void RowsInOrder::reset() {
   next_.reset();
 }
 
-std::string StoredMetrics::text(std::int64_t id) {
+std::string StoredMetrics::text_of_names(std::int64_t id) {
   SQLite::Statement find(database_, "SELECT names, checksum FROM metric_names WHERE id = ?");
   find.bind(1, id);
   if (!find.executeStep()) throw std::invalid_argument(fmt::format("metric names {} are missing", id));
@@ -59,7 +58,7 @@ std::string StoredMetrics::text(std::int64_t id) {
 
 const StoredMetrics::Names& StoredMetrics::names_under(std::int64_t row, std::int64_t id) {
   if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;
-  return by_id_.emplace(id, reading_row(row, "metrics: ", [&] { return names_of(text(id)); })).first->second;
+  return by_id_.emplace(id, reading_row(row, "metrics: ", [&] { return names_of(text_of_names(id)); })).first->second;
 }
 
 std::optional<std::int64_t> StoredMetrics::id_of_text(const std::string& text) {
@@ -70,7 +69,7 @@ std::optional<std::int64_t> StoredMetrics::id_of_text(const std::string& text) {
 
 std::int64_t StoredMetrics::add(const std::string& text) {
   SQLite::Statement insert_names(database_, "INSERT INTO metric_names(names, checksum) VALUES(?, ?)");
-  campaign::put(insert_names, text, RowChecksum().bytes(text).value());
+  put(insert_names, text, RowChecksum().bytes(text).value());
   return database_.getLastInsertRowid();
 }
 
@@ -85,7 +84,7 @@ std::int64_t StoredMetrics::id_of(const Names& names) {
   return add(text);
 }
 
-std::optional<StoredMetrics::Packed> StoredMetrics::find(std::int64_t row) {
+std::optional<StoredMetrics::Packed> StoredMetrics::packed(std::int64_t row) {
   SQLite::Statement* const found = rows_.at(row);
   if (found == nullptr) return std::nullopt;
   const std::int64_t id = found->getColumn(1).getInt64(), size = found->getColumn(2).getInt64();
@@ -96,8 +95,9 @@ std::optional<StoredMetrics::Packed> StoredMetrics::find(std::int64_t row) {
   return Packed{id, size, frame};
 }
 
-void StoredMetrics::put(std::int64_t row, std::int64_t id, std::int64_t size, std::string_view frame) {
-  campaign::put(*insert_, row, id, size, Blob{frame}, checksum_of(row, id, size, frame));
+void StoredMetrics::write(std::int64_t row, const Packed& numbers) {
+  const auto& [names, size, frame] = numbers;
+  put(*insert_, row, names, size, Blob{frame}, checksum_of(row, names, size, frame));
 }
 
 StoredMetrics::StoredMetrics(SQLite::Database& database, bool written_to)
@@ -112,12 +112,12 @@ StoredMetrics::StoredMetrics(SQLite::Database& database, bool written_to)
 StoredMetrics::~StoredMetrics() = default;
 
 match::MetricNumbers StoredMetrics::read(std::int64_t row) {
-  const std::optional<Packed> packed = find(row);
-  if (!packed) return {};
-  const Names& names = names_under(row, packed->names);
+  const std::optional<Packed> found = packed(row);
+  if (!found) return {};
+  const Names& names = names_under(row, found->names);
   return reading_row(row, "metrics: ", [&]() -> match::MetricNumbers {
     try {
-      decompressor_.decompress(packed->frame, static_cast<std::uint64_t>(packed->size), bytes_);
+      decompressor_.decompress(found->frame, static_cast<std::uint64_t>(found->size), bytes_);
     } catch (const mcap::Malformed& error) {
       throw std::invalid_argument(error.why);
     }
@@ -125,24 +125,10 @@ match::MetricNumbers StoredMetrics::read(std::int64_t row) {
   });
 }
 
-StoredMetrics::Packed StoredMetrics::packed(std::int64_t row) {
-  const std::optional<Packed> packed = find(row);
-  if (!packed) throw DamagedRow(row, "its metrics are missing");
-  return *packed;
-}
-
-std::string StoredMetrics::text_of_names(std::int64_t row, std::int64_t names) {
-  return reading_row(row, "metrics: ", [&] { return text(names); });
-}
-
 std::int64_t StoredMetrics::number_of_names(const std::string& text) {
   if (const auto there = id_of_text(text)) return *there;
   names_of(text);  // throws if the text is not a list of names
   return add(text);
-}
-
-void StoredMetrics::write(std::int64_t row, const Packed& numbers, std::int64_t names) {
-  put(row, names, numbers.size, numbers.frame);
 }
 
 match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
@@ -167,7 +153,7 @@ void StoredMetrics::write(std::int64_t row, const match::MetricNumbers& numbers)
   const std::string bytes = number_bytes(numbers.values());
   std::string frame;
   compressor_.append(frame, bytes);
-  put(row, id_of(numbers.shared_names()), static_cast<std::int64_t>(bytes.size()), frame);
+  write(row, Packed{id_of(numbers.shared_names()), static_cast<std::int64_t>(bytes.size()), frame});
 }
 
 }  // namespace regista::campaign

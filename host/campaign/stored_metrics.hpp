@@ -28,8 +28,6 @@ class RowsInOrder {
   // `database` must outlive this object. All functions throw SQLite::Exception.
   RowsInOrder(SQLite::Database& database, const std::string& what);
   ~RowsInOrder();
-  RowsInOrder(const RowsInOrder&) = delete;
-  RowsInOrder& operator=(const RowsInOrder&) = delete;
 
   // Returns the statement at this row, valid until the next call; null if the table has no such row.
   SQLite::Statement* at(std::int64_t row);
@@ -53,12 +51,9 @@ class StoredMetrics {
       checksum INTEGER NOT NULL
     );)";
 
-  // `database` must have the tables metric_names and metrics, and must outlive this object. All functions throw
-  // SQLite::Exception.
+  // `database` must have these tables and outlive this object. All functions throw SQLite::Exception.
   StoredMetrics(SQLite::Database& database, bool written_to);
   ~StoredMetrics();
-  StoredMetrics(const StoredMetrics&) = delete;
-  StoredMetrics& operator=(const StoredMetrics&) = delete;
 
   // Returns the metrics of the match in this row; empty if the match has no metrics. Throws DamagedRow.
   match::MetricNumbers read(std::int64_t row);
@@ -66,20 +61,20 @@ class StoredMetrics {
   void write(std::int64_t row, const match::MetricNumbers& numbers);
 
   // The numbers of a row as stored, for a copy to another file. `frame` is valid until the next row is read. packed()
-  // throws DamagedRow if the row has no numbers or its checksum does not fit.
+  // returns nothing if the row has no numbers, and throws DamagedRow if the checksum does not fit.
   struct Packed {
     std::int64_t names = 0;  // id of the names of the numbers in the table metric_names of this file
     std::int64_t size = 0;
     std::string_view frame;
   };
-  Packed packed(std::int64_t row);
-  // Returns the names with the id `names` as text. Throws a DamagedRow for `row` if this text is damaged or missing.
-  std::string text_of_names(std::int64_t row, std::int64_t names);
+  std::optional<Packed> packed(std::int64_t row);
+  // Returns the names with this id as text. Throws std::invalid_argument if this text is damaged or missing.
+  std::string text_of_names(std::int64_t id);
   // Returns the id of a text of names in this file; adds the text if it is new. Must be called within a transaction.
   // Throws std::invalid_argument if the text is not a list of names.
   std::int64_t number_of_names(const std::string& text);
-  // Writes numbers of another file. names: id of their names in this file. Must be called within a transaction.
-  void write(std::int64_t row, const Packed& numbers, std::int64_t names);
+  // Writes packed numbers; `names` is the id of their names in this file. Must be called within a transaction.
+  void write(std::int64_t row, const Packed& numbers);
 
   // Returns the paths of all metrics in rows 1 to `rows`, each once, in order of first appearance. Throws DamagedRow.
   match::MetricPaths paths(std::int64_t rows);
@@ -88,13 +83,10 @@ class StoredMetrics {
 
  private:
   using Names = std::shared_ptr<const match::MetricNames>;
-  std::optional<Packed> find(std::int64_t row);
-  std::string text(std::int64_t id);
   const Names& names_under(std::int64_t row, std::int64_t id);
   std::optional<std::int64_t> id_of_text(const std::string& text);
   std::int64_t add(const std::string& text);
   std::int64_t id_of(const Names& names);
-  void put(std::int64_t row, std::int64_t id, std::int64_t size, std::string_view frame);
 
   SQLite::Database& database_;
   RowsInOrder rows_;

@@ -11,9 +11,7 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
-#include "campaign/match_inputs.hpp"
 #include "campaign/stored_row.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
@@ -33,10 +31,10 @@ std::int64_t checksum_of(const std::string& key, const std::string& job) {
 
 }  // namespace
 
-void StoredDocuments::keep(std::span<const Document> documents) {
-  database_.exec(tables);
-  database_.exec("DELETE FROM documents");
-  SQLite::Statement add(database_, "INSERT OR IGNORE INTO documents(path, size, content, checksum) VALUES(?, ?, ?, ?)");
+void write_documents(SQLite::Database& database, std::span<const Document> documents) {
+  database.exec(documents_table);
+  database.exec("DELETE FROM documents");
+  SQLite::Statement add(database, "INSERT OR IGNORE INTO documents(path, size, content, checksum) VALUES(?, ?, ?, ?)");
   mcap::Compressor compressor;
   for (const Document& each : documents) {
     std::string frame;
@@ -51,10 +49,10 @@ void StoredDocuments::keep(std::span<const Document> documents) {
   }
 }
 
-std::vector<Document> StoredDocuments::all() {
+std::vector<Document> read_documents(SQLite::Database& database) {
   std::vector<Document> out;
-  if (!database_.tableExists("documents")) return out;
-  SQLite::Statement each(database_, "SELECT path, size, content, checksum FROM documents ORDER BY path");
+  if (!database.tableExists("documents")) return out;
+  SQLite::Statement each(database, "SELECT path, size, content, checksum FROM documents ORDER BY path");
   mcap::Decompressor decompressor;
   while (each.executeStep()) {
     Document& document = out.emplace_back();
@@ -222,10 +220,6 @@ fs::path DocumentCopies::folder(const fs::path& given_in) const {
   return out;
 }
 
-Job DocumentCopies::job(Job job, const fs::path& given_in) const {
-  return in_copies(std::move(job), root_.path(), given_in);
-}
-
 StoredSetup::StoredSetup(const Job& stored, const plugin::Catalogue& catalogue,
                          const std::function<std::vector<Document>()>& documents)
     : catalogue_(catalogue), job_(stored), changed_(set_up()), missing_(changed_) {
@@ -234,7 +228,7 @@ StoredSetup::StoredSetup(const Job& stored, const plugin::Catalogue& catalogue,
   if (begun_with.empty()) return;
   const std::filesystem::path given_in = std::filesystem::current_path();
   copies_.emplace(std::move(begun_with));
-  job_ = copies_->job(stored, given_in);
+  job_ = in_copies(stored, copies_->root(), given_in);
   std::filesystem::current_path(copies_->folder(given_in));
   missing_ = set_up();
 }
@@ -243,7 +237,7 @@ StoredSetup::StoredSetup(const Job& stored, const plugin::Catalogue& catalogue,
 std::string StoredSetup::set_up() {
   prepared_ = {};
   try {
-    prepared_ = match_setup(request_of(job_), catalogue_, KeyNames::former_too);
+    prepared_ = match_setup(job_, catalogue_, KeyNames::former_too);
   } catch (const config::Error& error) {
     return error.what();
   } catch (const config::BadInput& error) {

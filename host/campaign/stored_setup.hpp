@@ -30,29 +30,18 @@ struct Document {
   friend bool operator==(const Document&, const Document&) = default;
 };
 
-class StoredDocuments {
- public:
-  static constexpr auto tables = R"(
+// The table of documents. All functions throw SQLite::Exception.
+inline constexpr auto documents_table = R"(
     CREATE TABLE IF NOT EXISTS documents(
       path TEXT PRIMARY KEY,
       size INTEGER,
       content BLOB,
       checksum INTEGER NOT NULL
     ) WITHOUT ROWID;)";
-
-  // `database` must outlive this object. All functions throw SQLite::Exception.
-  explicit StoredDocuments(SQLite::Database& database) : database_(database) {}
-
-  // Replaces all stored documents. A study that was killed before its first match begins again and calls keep() again.
-  // The caller must have begun a transaction.
-  void keep(std::span<const Document> documents);
-  // Returns all documents, sorted by path; empty if an older program made the file. Throws std::invalid_argument if a
-  // document is damaged.
-  std::vector<Document> all();
-
- private:
-  SQLite::Database& database_;
-};
+// Replaces all stored documents, within a transaction of the caller. A study that begins again calls it again.
+void write_documents(SQLite::Database& database, std::span<const Document> documents);
+// Returns all documents, sorted by path; none from older files. Throws std::invalid_argument if a document is damaged.
+std::vector<Document> read_documents(SQLite::Database& database);
 
 // A match without its seed. key: see fixture_key(). The seed in `job` has no meaning.
 struct Fixture {
@@ -70,17 +59,15 @@ class StoredFixtures {
       checksum INTEGER NOT NULL
     );)";
 
-  // `database` must have the table `fixtures` (see `tables`) and must outlive this object. All functions throw
-  // SQLite::Exception.
+  // `database` must have this table and outlive this object. All functions throw SQLite::Exception. numbers(), keys()
+  // and all() throw std::invalid_argument for a damaged fixture, whose matches would count as not played.
   explicit StoredFixtures(SQLite::Database& database) : database_(database) {}
 
   // Adds the fixtures whose keys are new.
   void add(std::span<const Fixture> fixtures);
-  // Returns for each key the number of its fixture; 0 if the key is not stored. Throws std::invalid_argument if any
-  // stored fixture is damaged, because the matches of a fixture with a damaged key would count as not played.
+  // Returns for each key the number of its fixture; 0 if the key is not stored.
   std::vector<std::int64_t> numbers(std::span<const std::string> keys);
-  // Return all fixtures in the order of their numbers: keys() as number and key, all() as key and job. Both functions
-  // throw std::invalid_argument if any fixture is damaged.
+  // Return all fixtures in the order of their numbers: keys() as number and key, all() as key and job.
   std::vector<std::pair<std::int64_t, std::string>> keys();
   std::vector<Fixture> all();
   // Returns the job of the fixture with this number. Throws a DamagedRow for `row`, the match that needs the job.
@@ -106,19 +93,14 @@ Job in_copies(Job job, const std::filesystem::path& root, const std::filesystem:
 // leads to a copy. An absolute name in a document leads to the original file.
 class DocumentCopies {
  public:
-  // Writes the copies. A document without content becomes a link to the current file. Throws std::system_error. Throws
-  // std::invalid_argument for paths that this program never stores: a path that is relative or not normal, and a path
-  // below the path of another document.
+  // Writes the copies. A document without content becomes a link to the current file. Throws std::system_error, and
+  // std::invalid_argument for a path that this program never stores: relative, not normal, or below another document.
   explicit DocumentCopies(std::vector<Document> documents);
 
   const std::filesystem::path& root() const { return root_.path(); }
 
-  // Returns the copy of the folder `given_in`, an absolute path; creates the copy if it is missing. Relative names that
-  // were given in `given_in` must be read in this copy.
+  // Returns the copy of the folder `given_in`, an absolute path; creates the copy if it is missing: see in_copies().
   std::filesystem::path folder(const std::filesystem::path& given_in) const;
-
-  // Returns in_copies() of the job. The files of this job must be read in folder(given_in).
-  Job job(Job job, const std::filesystem::path& given_in) const;
 
  private:
   std::filesystem::path at(const std::filesystem::path& path) const;
@@ -128,9 +110,8 @@ class DocumentCopies {
 class StoredSetup {
  public:
   // Prepares the stored match from the files that its job names; relative names start at the current folder. If these
-  // files have changed, the constructor gets the stored documents from `documents`, writes copies of them
-  // (DocumentCopies), makes the copy of the current folder the process's current folder, and prepares the match from
-  // the copies. The current folder is then another one, so the folders of `catalogue` must be absolute. Throws what
+  // files have changed, prepares the match from copies of the documents that `documents` returns, and makes the copy of
+  // the current folder the current folder of the process. So the folders of `catalogue` must be absolute. Throws what
   // `documents` and DocumentCopies throw.
   StoredSetup(const Job& stored, const plugin::Catalogue& catalogue,
               const std::function<std::vector<Document>()>& documents);

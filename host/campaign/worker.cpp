@@ -4,11 +4,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstring>
-#include <system_error>
 #include <utility>
 
+#include "campaign/decision_trail.hpp"
 #include "campaign/fork_server.hpp"
 
 namespace regista::campaign {
@@ -25,8 +24,9 @@ process::Setting worker_setting(const WorkerFiles& files, const Limits& limits) 
   return out;
 }
 
-std::vector<char*> environment_with(std::initializer_list<const char*> more, Pages pages) {
+std::vector<char*> environment(bool perturbed) {
   static char large_pages[] = "GLIBC_TUNABLES=glibc.malloc.hugetlb=1";
+  static std::string padding = "REGISTA_SECOND_PLAY=" + std::string(4075, 'x');
   constexpr std::size_t name = std::string_view("GLIBC_TUNABLES=").size();
   std::vector<char*> variables;
   bool tuned = false;  // true: the user has set GLIBC_TUNABLES
@@ -34,8 +34,8 @@ std::vector<char*> environment_with(std::initializer_list<const char*> more, Pag
     variables.push_back(*each);
     tuned = tuned || std::strncmp(*each, large_pages, name) == 0;
   }
-  if (!tuned && pages == Pages::large) variables.push_back(large_pages);
-  for (const char* each : more) variables.push_back(const_cast<char*>(each));
+  if (!tuned && !perturbed) variables.push_back(large_pages);
+  if (perturbed) variables.push_back(padding.data());
   variables.push_back(nullptr);
   return variables;
 }
@@ -45,30 +45,27 @@ namespace {
 // Limit in bytes. The answer for a match has some ten kilobytes; the rest of a longer answer is not read.
 constexpr std::size_t longest_answer = std::size_t{16} << 20;
 
-process::Child start_program(const WorkerFiles& files, const Limits& limits, bool perturbed) {
-  // A perturbed play has another environment and other memory addresses. A match must not depend on these.
-  static const std::string padding = "REGISTA_SECOND_PLAY=" + std::string(4075, 'x');
-  const std::vector<char*> variables =
-      perturbed ? environment_with({padding.c_str()}, Pages::usual) : environment_with({});
-  return process::Child::program(worker_setting(files, limits),
-                                 {process::Child::this_program, {"regista", worker_command}, variables});
-}
-
 }  // namespace
 
-Worker::Worker(const Job& job, const Limits& limits, SharedNote& note, int trail, ForkServer* server)
-    : limits_(limits), note_(note), apart_(job.is_apart()), watch_({limits.processor_seconds, limits.wall_seconds}) {
-  note_.clear();
+Worker::Worker(const Job& job, SharedNote& note, int trail, ForkServer* server)
+    : limits_(job.limits),
+      note_(note),
+      apart_(job.is_apart()),
+      watch_({limits_.processor_seconds, limits_.wall_seconds}) {
   const process::FileDescriptor given = process::memory_file(to_json(job));
   process::Pipe answer = process::make_pipe(), output = process::make_pipe();
   const WorkerFiles files{answer.write.number, note.descriptor(), output.write.number, trail, given.number};
+  const auto empty_files = [&] {
+    note_.clear();
+    if (trail != -1) empty_trail(trail);
+  };
+  empty_files();
   if (server != nullptr) child_ = server->start(job, files);
   if (!child_.runs()) {
-    // Empties note and trail, because a fork server that died may have begun the match.
-    note_.clear();
-    if (trail != -1 && (ftruncate(trail, 0) == -1 || lseek(trail, 0, SEEK_SET) == -1))
-      throw std::system_error(errno, std::generic_category(), "cannot begin a match anew");
-    child_ = start_program(files, limits, job.perturbed);
+    empty_files();  // a fork server that died may have begun the match
+    const std::vector<char*> variables = environment(job.perturbed);
+    child_ = process::Child::program(worker_setting(files, limits_),
+                                     {process::Child::this_program, {"regista", worker_command}, variables});
   }
   pipe_ = std::move(answer.read);
   output_pipe_ = std::move(output.read);
@@ -100,12 +97,12 @@ bool Worker::advance() {
   read();
   const std::optional<process::ProcessEnd> end = child_.look();
   if (!end) {
-    if (!killed_for_) watch_call();
+    if (why_killed_.empty()) watch_call();
     return false;
   }
   if (end->was_stopped()) {
-    killed_for_ = End::How::stopped;
-    end_.text = end->in_words();
+    stopped_ = true;
+    why_killed_ = end->in_words();
     kill();
     return false;
   }
@@ -127,11 +124,11 @@ void Worker::watch_call() {
   if (!apart_) {  // a worker with minds in other processes notes no calls
     const plugin::CallNote call = note_->call;
     const process::Exceeded exceeded = watch_.look(call, call.inside == 1, child_.process());
-    if (exceeded == process::Exceeded::processor_time) killed_for_ = End::How::processor_time;
-    if (exceeded == process::Exceeded::wall_time) killed_for_ = End::How::wall_time;
+    if (exceeded != process::Exceeded::nothing) why_killed_ = watch_.in_words(exceeded);
   }
-  if (seconds() > match_wall_seconds()) killed_for_ = End::How::match_wall_time;
-  if (killed_for_) kill();
+  if (seconds() > match_wall_seconds())
+    why_killed_ = fmt::format("a match did not end within {:.0f} s", limits_.match_wall_seconds);
+  if (!why_killed_.empty()) kill();
 }
 
 void Worker::ended(const process::ProcessEnd& end) {
@@ -146,28 +143,21 @@ void Worker::ended(const process::ProcessEnd& end) {
     answer_.erase(0, mark + answer_mark.size());
   }
   if (complete && end.exited_with(0)) {
-    end_.how = End::How::answered;
+    end_.answered = true;
     end_.text = std::move(answer_);
     return;
   }
-  if (!end.signal_number()) {
-    end_.how = End::How::died;
-    end_.text = end.in_words();
-    return;
-  }
   const bool all_used = end.signal_number() == SIGKILL && end.processor_seconds >= limits_.match_seconds();
-  if (killed_for_) {
-    end_.how = *killed_for_;
-    if (killed_for_ == End::How::wall_time) end_.text = process::did_not_return(limits_.wall_seconds);
-    if (killed_for_ == End::How::processor_time) end_.text = process::used_processor_time(limits_.processor_seconds);
-    if (killed_for_ == End::How::match_wall_time)
-      end_.text = fmt::format("a match did not end within {:.0f} s", limits_.match_wall_seconds);
+  if (!end.signal_number()) {
+    end_.text = end.in_words();
+  } else if (!why_killed_.empty()) {
+    end_.from_outside = stopped_;
+    end_.text = why_killed_;
   } else if (end.out_of_processor_time() || all_used) {
-    end_.how = End::How::match_time;
     end_.text = fmt::format("a match used more than {} s of processor time, though no single call more than {} s",
                             limits_.match_seconds(), limits_.processor_seconds);
   } else {
-    end_.how = end.from_outside() ? End::How::killed_from_outside : End::How::died;
+    end_.from_outside = end.from_outside();
     end_.text = end.in_words() + where(note.fatal);
   }
 }

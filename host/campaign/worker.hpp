@@ -9,8 +9,6 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
-#include <initializer_list>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +19,6 @@
 #include "plugin/fatal_signal.hpp"
 #include "process/child.hpp"
 #include "process/file_descriptor.hpp"
-#include "process/watch.hpp"
 
 namespace regista::campaign {
 
@@ -52,8 +49,6 @@ struct WorkerNote {
 
 using SharedNote = process::SharedMemory<WorkerNote>;
 
-// --- Names and numbers that coordinator and worker share
-
 // File descriptors of a worker.
 inline constexpr int answer_descriptor = 3, note_descriptor = 4, trail_descriptor = 5;
 
@@ -73,28 +68,17 @@ process::Setting worker_setting(const WorkerFiles& files, const Limits& limits);
 // The limits of stack and address space for a process that opens plugins.
 inline process::Limits memory_limits(const Limits& limits) { return {.memory = limits.memory, .small_stack = true}; }
 
-// Returns the environment for programs that play matches: the environment of this process and the variables `more`
-// ("NAME=VALUE"), with a null at the end. With Pages::large, the C library also asks the system for large pages: with
-// usual pages, page faults in some megabytes of new memory take a fifth of a game's processor time
-// (benchmarks/campaign/fork_server.py).
-enum class Pages { large, usual };
-std::vector<char*> environment_with(std::initializer_list<const char*> more, Pages pages = Pages::large);
-
-// --- For the coordinator
+// Returns the environment for programs that play matches, with a null at the end: that of this process, and a variable
+// for large pages of memory, because page faults in some megabytes of usual pages take a fifth of a game's processor
+// time (benchmarks/campaign/fork_server.py). A perturbed play has usual pages, and a variable that moves its memory.
+std::vector<char*> environment(bool perturbed);
 
 // The end of a worker.
 struct End {
-  enum class How {
-    answered,            // the worker has sent its complete answer, which is in `text`
-    died,                // the worker crashed, or ended before its answer was complete
-    processor_time,      // killed, because a call of a plugin exceeded its limit of processor time
-    wall_time,           // killed, because a call of a plugin exceeded its limit of wall time
-    match_time,          // the whole match exceeded its limit of processor time, but no single call did
-    match_wall_time,     // killed, because the whole match exceeded its limit of wall time
-    stopped,             // killed, because a signal had stopped the process (SIGSTOP), which would not continue
-    killed_from_outside  // killed by SIGKILL, SIGTERM, SIGINT, SIGHUP or SIGQUIT, which people and systems send
-  };
-  How how = How::died;
+  bool answered = false;  // true: the worker has sent its complete answer, which is in `text`
+  // true: the cause is a signal that people and systems send: one of ProcessEnd::from_outside(), or one that stopped
+  // the process (SIGSTOP), so that it was killed.
+  bool from_outside = false;
   std::string text;       // the answer; otherwise the reason of the end: "Segmentation fault, in crashes.so"
   std::string output;     // the worker's output on standard error; a long output lacks its middle
   plugin::CallNote note;  // the last call of a plugin; its plugin id is empty if no plugin was called
@@ -107,22 +91,18 @@ class ForkServer;
 // A running worker. Its functions never block.
 class Worker {
  public:
-  // Starts a worker. `note` is cleared and must outlive the worker. trail: descriptor of the file for the trail; -1: no
-  // trail. server: a fork server, which starts the worker faster; null: no server. Throws std::system_error if the
-  // process cannot be started.
-  Worker(const Job& job, const Limits& limits, SharedNote& note, int trail = -1, ForkServer* server = nullptr);
-  // Kills the worker if it still runs.
-  ~Worker();
-  Worker(const Worker&) = delete;
-  Worker& operator=(const Worker&) = delete;
+  // Starts a worker. Clears `note`, which must outlive the worker, and the file with the descriptor `trail`; -1: no
+  // trail. server: a fork server, which starts the worker faster; null: none. Throws std::system_error.
+  Worker(const Job& job, SharedNote& note, int trail, ForkServer* server);
+  ~Worker();  // kills the worker if it still runs
 
   // The pipe for the answer, which is readable when advance() has something to do; -1 after the worker closed the pipe.
   int descriptor() const { return pipe_.number; }
   pid_t process() const { return child_.process(); }             // -1 after the worker has ended
   int output_descriptor() const { return output_pipe_.number; }  // the pipe for standard error; -1: closed
 
-  // Reads the pipes for the answer and for standard error, and checks the limits. Returns true when the worker has
-  // ended. Must be called when a descriptor is readable, and also at regular times.
+  // Reads both pipes and checks the limits. Returns true when the worker has ended. Must be called when a descriptor is
+  // readable, and also at regular times.
   bool advance();
 
   // Precondition: advance() has returned true.
@@ -142,7 +122,8 @@ class Worker {
   bool apart_;
   process::Child child_;
   process::FileDescriptor pipe_, output_pipe_;
-  std::optional<End::How> killed_for_;
+  std::string why_killed_;  // empty: not killed
+  bool stopped_ = false;    // true: killed, because a signal had stopped the process
   Clock::time_point began_ = Clock::now();
   process::CallWatch<plugin::CallNote> watch_;
   std::string answer_;

@@ -28,7 +28,6 @@
 #include "process/child.hpp"
 #include "process/file_descriptor.hpp"
 #include "process/sanitized.hpp"
-#include "process/watch.hpp"
 #include "texts/bytes.hpp"
 #include "texts/message.hpp"
 

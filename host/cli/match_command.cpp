@@ -78,13 +78,11 @@ std::optional<results::StoredMatch> stored_match_of(const results::MatchOptions&
 // Refuses outputs that would overwrite inputs. outputs: made before stored_match_of() changes the working folder,
 // because output paths are relative to the earlier folder.
 void check_what_is_written(output::OutputFiles outputs, const results::MatchOptions& options,
-                           const campaign::MatchRequest& played, const plugin::Catalogue& catalogue) {
-  std::vector<std::string> documents = played.teams;
+                           const campaign::Job& played, const plugin::Catalogue& catalogue) {
+  std::vector<std::string> documents(played.teams.begin(), played.teams.end());
   documents.insert(documents.end(), {played.rules, played.robot, played.disturbance, played.home_disturbance,
                                      played.away_disturbance, played.opening});
-  std::vector<std::string> set;
-  for (const config::Override& each : played.overrides) set.push_back(to_string(each));
-  outputs.read(documents, Reads::documents, set);
+  outputs.read(documents, Reads::documents, played.overrides);
   outputs.read(folders_of(catalogue), Reads::plugins);
   outputs.check(options.force);
 }
@@ -172,8 +170,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
   if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
     throw BadInput(texts::unknown("value", options.log, "--log", log_levels));
   }
-  options.overrides = config::typed_overrides(options.set);
-  campaign::refuse_former_sides(options.overrides);
+  campaign::refuse_former_sides(config::typed_overrides(options.set));
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
   const std::optional<results::StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {
@@ -193,15 +190,14 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
                            as_then->changed(), options.from));
     }
   }
-  campaign::Job job = as_then ? as_then->job() : campaign::job_of(options, options.plugins);
-  const campaign::MatchRequest wanted = campaign::request_of(job);
-  campaign::MatchSetup prepared = as_then ? as_then->take() : campaign::match_setup(wanted, catalogue);
+  campaign::Job job = as_then ? as_then->job() : job_of(options);
+  campaign::MatchSetup prepared = as_then ? as_then->take() : campaign::match_setup(job, catalogue);
   tell_what_is_not_used(catalogue, folders);
   // A user who replays a stored match does not need these warnings.
   if (!stored) {
     for (const config::Warning& each : prepared.warnings) complain(to_string(each));
   }
-  check_what_is_written(outputs, options, wanted, catalogue);
+  check_what_is_written(outputs, options, job, catalogue);
   const bool failed = stored && (stored->decided.failure || stored->decided.set_aside());
   if (failed && !options.in_process) {
     if (!options.metrics.empty()) {

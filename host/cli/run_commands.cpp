@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "campaign/match_inputs.hpp"
 #include "campaign/match_setup.hpp"
 #include "cli/study_commands.hpp"
 #include "cluster/run.hpp"
@@ -134,8 +133,7 @@ void require_unchanged(const std::string& results, std::span<const campaign::Job
                        const plugin::Catalogue& catalogue) {
   const std::string program = campaign::program_hash(), mathematics = campaign::mathematics_fingerprint();
   for (const campaign::Job& job : jobs) {
-    const campaign::MatchSetup now =
-        campaign::match_setup(campaign::request_of(job), catalogue, campaign::KeyNames::former_too);
+    const campaign::MatchSetup now = campaign::match_setup(job, catalogue, campaign::KeyNames::former_too);
     const std::string changed = campaign::what_changed(job, now, catalogue, program, mathematics);
     if (changed.empty()) continue;
     throw BadInput(fmt::format("resume: {} was begun with something else: {}; its matches would be mixed with others",

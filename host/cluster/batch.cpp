@@ -9,10 +9,8 @@
 #include <cstdlib>
 #include <functional>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -121,23 +119,20 @@ Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t mo
   const study::PlayRound take = [&](const study::Round& round) {
     out.is_first = std::exchange(first_round, false);
     const std::vector<std::int64_t> numbers = store.add(round.fixtures);
-    for (std::uint64_t index = 0; index < round.matches; ++index) {
-      std::optional<campaign::MatchResult> decided;
-      if (const auto place = round.at(index)) {
-        decided = store.find(static_cast<std::int64_t>(round.first_row + index) + 1,
-                             {numbers[place->fixture], place->seed}, study.metrics());
-        if (!decided) {
-          out.first_row = round.first_row;
-          out.round = round.matches;
-          out.may_end_early = round.may_end_early;
-          find_places(round, store, numbers, index, most, out);
-          if (!study.limits().play_twice) out.twice.clear();
-          throw NotPlayed();
-        }
-      }
-      out.seen += decided ? 1 : 0;
-      if (!round.take(index, decided ? &*decided : nullptr)) return;
-    }
+    std::uint64_t next = 0;  // index of the first match that the study has not taken
+    study::Round counted = round;
+    counted.take = [&](std::uint64_t index, const campaign::MatchResult* decided) {
+      next = index + 1;
+      out.seen += decided != nullptr ? 1 : 0;
+      return round.take(index, decided);
+    };
+    if (study::answer_from(store, counted, study.metrics())) return;
+    out.first_row = round.first_row;
+    out.round = round.matches;
+    out.may_end_early = round.may_end_early;
+    find_places(round, store, numbers, next, most, out);
+    if (!study.limits().play_twice) out.twice.clear();
+    throw NotPlayed();
   };
   try {
     study.run(take);

@@ -59,9 +59,8 @@ struct Missing {
   bool complete() const { return places.empty(); }
 };
 
-// Passes the stored results to the study and stores the fixtures (matches without their seeds) of the study's current
-// round. Returns at most `most` places, and of equal matches only the first place. Throws campaign::StoreError,
-// study::StudyError.
+// Passes the stored results to the study and stores the fixtures of its current round. Returns at most `most` places,
+// and of equal matches only the first place. Throws campaign::StoreError, study::StudyError.
 Missing missing_of(study::Study& study, campaign::Store& store, std::uint64_t most);
 
 // --- Slurm through its commands sbatch, squeue and scancel. These commands know the settings of the cluster and the
@@ -92,8 +91,7 @@ std::string in_pattern(const std::filesystem::path& path);
 std::string submit(const JobRequest& request);
 // Returns the waiting and running jobs among `jobs`. Throws SlurmError.
 std::vector<std::string> alive(const std::vector<std::string>& jobs);
-// Returns the waiting or running job with the name and folder of this request; empty if there is no such job. This
-// tells a caller whether the request was submitted before. Throws SlurmError.
+// Returns the waiting or running job with this request's name and folder; empty if there is none. Throws SlurmError.
 std::string job_of(const JobRequest& request);
 // Ends these jobs. A job that has already ended is not an error. Throws SlurmError.
 void cancel(const std::vector<std::string>& jobs);

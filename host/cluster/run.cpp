@@ -6,16 +6,11 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <thread>
-#include <utility>
 
 #include "campaign/match_setup.hpp"
 #include "cluster/batch.hpp"
-#include "cluster/study_folder.hpp"
 #include "command/terminal.hpp"
 #include "config/scalar.hpp"
 #include "output/output_files.hpp"
@@ -35,11 +30,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t most_tasks = 1000;  // tasks of an array: usual limit of clusters (MaxArraySize 1001)
 
-std::string command_of(const char* name, const StudyFolder& folder) {
-  return process::shell_line({"regista", name, folder.root().string()});
-}
-std::string name_of(const StudyFolder& folder) { return texts::one_line(folder.root().string()); }
-
 Settings settings_of(const Options& options, const campaign::Options& campaign) {
   Settings out;
   if (!options.array.empty()) out.tasks = config::parse_whole("--array", options.array, 1, most_tasks);
@@ -57,7 +47,7 @@ std::vector<std::string> plugin_files_of(study::Study& study, const results::Inv
   const std::vector<campaign::Job> jobs = results::first_jobs(study);
   if (jobs.empty()) throw BadInput("run: the study asks for no match");
   const plugin::Catalogue catalogue = results::open_plugins(jobs.front().plugins, invocation);
-  for (const campaign::Job& each : jobs) campaign::match_setup(campaign::request_of(each), catalogue);
+  for (const campaign::Job& each : jobs) campaign::match_setup(each, catalogue);
   std::vector<std::string> out;
   for (const std::string& each : catalogue.used_files()) out.push_back(fs::absolute(each).lexically_normal().string());
   return out;
@@ -89,7 +79,7 @@ void lay_out(const StudyFolder& folder, Settings settings, const results::Invoca
   std::error_code none;
   fs::create_directories(folder.copy_of(given_in), none);
   folder.copy_in(files);
-  folder.write_plan(store, REGISTA_VERSION);
+  folder.write_plan(store);
   folder.write(settings);
   write_scripts(folder);
 }
@@ -139,7 +129,7 @@ class Follower {
  private:
   // The Interruption of wait() must be destroyed before the report creates its own Interruption.
   void wait() {
-    const std::string to_look = command_of("status", folder_), to_end = command_of("stop", folder_);
+    const std::string to_look = folder_.command("status"), to_end = folder_.command("stop");
     const command::Interruption interruption(
         fmt::format("regista: interrupted; the array plays on; to look: {}\n", to_look));
     for (;;) {
@@ -148,9 +138,9 @@ class Follower {
       if (progress.state == Progress::State::complete) break;
       if (progress.state != Progress::State::running) {
         line_.clear();
-        throw BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", name_of(folder_),
+        throw BadInput(fmt::format("{}: the study has {}: {}; to go on: {}", folder_.name(),
                                    progress.state == Progress::State::stopped ? "been stopped" : "failed",
-                                   progress.message, command_to_go_on(folder_)));
+                                   progress.message, folder_.command("resume")));
       }
       if (interruption.requested()) {
         line_.clear();
@@ -238,7 +228,7 @@ int run_on_cluster(const Options& options, const campaign::Options& campaign, co
     throw;
   }
   if (!campaign.quiet && step.plays) {
-    command::say(fmt::format("{}: {}\n", name_of(folder), in_words(step.progress.batches.back())));
+    command::say(fmt::format("{}: {}\n", folder.name(), in_words(step.progress.batches.back())));
     if (step.round < step.progress.matches)
       command::say(
           fmt::format("the study asks for {} matches at a time and chooses them by the results so far: more tasks than "
@@ -246,7 +236,7 @@ int run_on_cluster(const Options& options, const campaign::Options& campaign, co
                       step.round));
   }
   if (options.detach) {
-    if (!campaign.quiet) command::say(fmt::format("to look: {}\n", command_of("status", folder)));
+    if (!campaign.quiet) command::say(fmt::format("to look: {}\n", folder.command("status")));
     return command::exit_done;
   }
   return Follower(folder, campaign, invocation).run();
@@ -260,12 +250,12 @@ int tell_step(const StudyFolder& folder, const Step& step, const campaign::Optio
                                   texts::one_line(folder.set_aside().string())));
   if (step.progress.state == Progress::State::complete) return finish(folder, step.progress, options, invocation);
   if (step.progress.state == Progress::State::failed)
-    throw BadInput(fmt::format("{}; to go on: {}", texts::one_line(step.progress.message), command_to_go_on(folder)));
+    throw BadInput(fmt::format("{}; to go on: {}", texts::one_line(step.progress.message), folder.command("resume")));
   if (!options.quiet) {
     std::string text = fmt::format("{} matches gathered", step.gathered.rows);
     if (step.submitted > 0) text += ", " + in_words(step.progress.batches.back());
     if (step.progress.state == Progress::State::stopped)
-      text += fmt::format("; the study was stopped; to go on: {}", command_to_go_on(folder));
+      text += fmt::format("; the study was stopped; to go on: {}", folder.command("resume"));
     command::say(text + '\n');
   }
   return command::exit_done;

@@ -8,11 +8,8 @@
 #include <vector>
 
 #include "campaign/engine.hpp"
-#include "campaign/store.hpp"
 #include "cluster/step.hpp"
 #include "cluster/study_folder.hpp"
-#include "cluster/task.hpp"
-#include "command/terminal.hpp"
 #include "results/study_kind.hpp"
 
 namespace regista::cluster {

@@ -11,7 +11,6 @@
 #include <thread>
 #include <utility>
 
-#include "campaign/match_inputs.hpp"
 #include "campaign/match_setup.hpp"
 #include "cluster/batch.hpp"
 #include "command/terminal.hpp"
@@ -73,7 +72,6 @@ std::vector<std::string> sbatch_options(const Settings& settings, const Progress
   return out;
 }
 
-// Returns the request for the job array of the last batch.
 JobRequest array_request(const StudyFolder& folder, const Settings& settings, const Progress& progress) {
   const SubmittedBatch& batch = progress.batches.back();
   return {.name = fmt::format("{}-{}", folder.root().filename().string(), batch.number),
@@ -137,7 +135,6 @@ void find_unnoted_jobs(const StudyFolder& folder, const Settings& settings, Prog
   if (batch.gather_job.empty()) batch.gather_job = job_of(gather_request(folder, settings, progress));
 }
 
-// Appends the remarks of this step about parts and nodes to earlier remarks.
 void keep_remarks(const Gathered& gathered, Progress& progress) {
   for (const std::string& each : gathered.refused_nodes) {
     if (std::ranges::find(progress.refused_nodes, each) == progress.refused_nodes.end())
@@ -154,7 +151,6 @@ void require_gather_job(const StudyFolder& folder, const Settings& settings, Pro
   if (job.empty() || (!is_within({job}) && alive({job}).empty())) submit_gather(folder, settings, progress);
 }
 
-// Ends the remaining jobs of a study that needs no more matches.
 void end_jobs(const StudyFolder& folder, const Settings& settings, Progress& progress) {
   const std::string& array = progress.batches.back().array_job;
   if (!is_within({array})) return cancel(jobs_alive(progress));
@@ -199,7 +195,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
   const bool has_batch = !progress.batches.empty();
   find_unnoted_jobs(folder, settings, progress);
   const bool array_lives = has_batch && !alive({progress.batches.back().array_job}).empty();
-  out.gathered = gather(folder, results, array_lives ? Tasks::ended : Tasks::killed_too, REGISTA_VERSION);
+  out.gathered = gather(folder, results, array_lives ? Tasks::ended : Tasks::killed_too);
   keep_remarks(out.gathered, progress);
   folder.write(progress);  // written now, because the following calls may throw
   const auto report = results::stored_study(folder.results().string(), results, {}, invocation.studies);
@@ -244,7 +240,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
       std::error_code none;
       if (has_batch) fs::remove(folder.known_before(progress.batches.size()), none);
       if (results::stored_plan(results::read_results(folder.plan().string())) != results::stored_plan(results))
-        folder.write_plan(results, REGISTA_VERSION);  // the user has added pairs to the study
+        folder.write_plan(results);  // the user has added pairs to the study
       submit_next(folder, settings, missing, progress.rows, progress);
       out.submitted = progress.batches.back().matches;
       out.plays = true;
@@ -255,10 +251,6 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
 }
 
 }  // namespace
-
-std::string command_to_go_on(const StudyFolder& folder) {
-  return process::shell_line({"regista", "resume", folder.root().string()});
-}
 
 std::string what_differs_here(study::Study& study) {
   const std::vector<campaign::Job> planned = results::first_jobs(study);
@@ -286,7 +278,7 @@ void stop_study(const StudyFolder& folder) {
   const campaign::Store held = opened(folder);
   Progress progress = folder.progress();
   if (progress.state == Progress::State::complete)
-    throw command::BadInput(fmt::format("stop: {}: the study is complete", texts::one_line(folder.root().string())));
+    throw command::BadInput(fmt::format("stop: {}: the study is complete", folder.name()));
   try {
     find_unnoted_jobs(folder, settings, progress);
     cancel(jobs_alive(progress));
@@ -330,7 +322,7 @@ Step take_step(const StudyFolder& folder, bool restart, const results::Invocatio
     progress.state = Progress::State::failed;
     progress.message = why;
     folder.write(progress);
-    return fmt::format("{}; to go on: {}", why, command_to_go_on(folder));
+    return fmt::format("{}; to go on: {}", why, folder.command("resume"));
   };
   try {
     return step(folder, results, restart, invocation);
@@ -341,7 +333,7 @@ Step take_step(const StudyFolder& folder, bool restart, const results::Invocatio
   } catch (const campaign::StoreRefusal& error) {
     throw command::BadInput(failed(error.what()));
   } catch (const campaign::StoreDiskError& error) {
-    throw output::WriteError(fmt::format("{}; to go on: {}", error.what(), command_to_go_on(folder)));
+    throw output::WriteError(fmt::format("{}; to go on: {}", error.what(), folder.command("resume")));
   } catch (const campaign::StoreError& error) {
     throw command::BadInput(failed(error.what()));
   }

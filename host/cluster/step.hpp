@@ -41,7 +41,4 @@ std::vector<std::string> jobs_alive(const Progress& progress);
 // which would change results, in words; empty if there are none. Runs the study, so the study must not run again.
 std::string what_differs_here(study::Study& study);
 
-// Returns the shell command that continues the study.
-std::string command_to_go_on(const StudyFolder& folder);
-
 }  // namespace regista::cluster

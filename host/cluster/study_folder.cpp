@@ -9,11 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <chrono>
-#include <filesystem>
 #include <fstream>
-#include <optional>
-
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
@@ -22,6 +18,7 @@
 #include "campaign/stored_setup.hpp"
 #include "config/errors.hpp"
 #include "output/replaced_file.hpp"
+#include "process/child.hpp"
 #include "process/file_descriptor.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
@@ -36,12 +33,9 @@ int read_once(const std::filesystem::path& file, std::string& out) {
   if (opened.number == -1) return errno;
   std::array<char, 65536> part;
   for (;;) {
-    const ssize_t size = ::read(opened.number, part.data(), part.size());
-    if (size == 0) return 0;
-    if (size > 0)
-      out.append(part.data(), static_cast<std::size_t>(size));
-    else if (errno != EINTR)
-      return errno;
+    const ssize_t size = process::uninterrupted([&] { return ::read(opened.number, part.data(), part.size()); });
+    if (size <= 0) return size == 0 ? 0 : errno;
+    out.append(part.data(), static_cast<std::size_t>(size));
   }
 }
 
@@ -95,8 +89,8 @@ std::string damaged(const StudyFolder& folder) {
 Json description_of(const StudyFolder& folder) {
   const fs::path file = folder.description();
   const auto text = content_of(file);
-  const std::string name = texts::one_line(folder.root().string());
-  if (!text) throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", name));
+  if (!text)
+    throw BadInput(fmt::format("{} is no folder of a study on a cluster: it has no cluster.json", folder.name()));
   Json json = Json::parse(*text, nullptr, false);
   if (!json.is_object()) throw BadInput(damaged(folder));
   if (json.value("study_folder", nlohmann::json()) != layout)
@@ -140,12 +134,17 @@ StudyFolder::StudyFolder(const fs::path& root) : root_(fs::absolute(root).lexica
   if (!root_.has_filename()) root_ = root_.parent_path();
 }
 
+std::string StudyFolder::name() const { return texts::one_line(root_.string()); }
+
+std::string StudyFolder::command(const char* verb) const {
+  return process::shell_line({"regista", verb, root_.string()});
+}
+
 void StudyFolder::create(const Settings& settings) const {
-  const std::string name = texts::one_line(root_.string());
   std::error_code error;
   if (fs::exists(root_, error)) {
     throw BadInput(fmt::format(
-        "{} exists already; regista gather {} goes on with a study in it, --folder names another", name, name));
+        "{} exists already; regista gather {} goes on with a study in it, --folder names another", name(), name()));
   }
   for (const fs::path& each : {root_, root_ / "batches", parts(), set_aside(), logs(), files()}) {
     fs::create_directories(each, error);
@@ -166,13 +165,13 @@ void StudyFolder::write(const Progress& progress) const {
   write_description(*this, settings(), progress, output::Existing::replaced);
 }
 
-void StudyFolder::write_plan(const campaign::Store& results, const std::string& program_version) const {
+void StudyFolder::write_plan(const campaign::Store& results) const {
   using campaign::Store;
   const fs::path fresh = plan().string() + ".new";
   std::error_code error;
   fs::remove(fresh, error);
   {
-    Store store(fresh, Store::Mode::create, program_version, campaign::Journal::rollback);
+    Store store(fresh, Store::Mode::create, REGISTA_VERSION, campaign::Journal::rollback);
     store.keep(results.documents());
     for (const char* each : {"documents", "schedule"}) store.set_meta(each, results.meta(each));
   }
@@ -193,8 +192,6 @@ campaign::Job StudyFolder::of_copies(campaign::Job job, const fs::path& given_in
 }
 
 namespace {
-
-constexpr const char *whole = ".db", *under_way = ".db.part", *progress_ending = ".txt", *refusal_ending = ".refused";
 
 struct Named {
   TaskName task;
@@ -258,15 +255,14 @@ void set_aside(const StudyFolder& folder, const fs::path& file) {
 
 class Gathering {
  public:
-  Gathering(const StudyFolder& folder, campaign::Store& results, std::string version)
-      : folder_(folder), results_(results), version_(std::move(version)) {}
+  Gathering(const StudyFolder& folder, campaign::Store& results) : folder_(folder), results_(results) {}
 
   Gathered all(Tasks tasks) {
-    for (const Named& each : files_of(folder_, whole)) take(each, tasks);
+    for (const Named& each : files_of(folder_, ".db")) take(each, tasks);
     if (tasks == Tasks::killed_too) {
-      for (const Named& each : files_of(folder_, under_way)) take(each, tasks);
+      for (const Named& each : files_of(folder_, ".db.part")) take(each, tasks);
     }
-    for (const Named& each : files_of(folder_, refusal_ending)) take_refusal(each);
+    for (const Named& each : files_of(folder_, ".refused")) take_refusal(each);
     return std::move(out_);
   }
 
@@ -280,7 +276,7 @@ class Gathering {
     try {
       // The store is opened for writing, because this undoes half-written data of a killed task and detects a running
       // task. The store stays open until its file has been moved away.
-      const Store store(part.path, Store::Mode::open, version_, campaign::Journal::rollback);
+      const Store store(part.path, Store::Mode::open, REGISTA_VERSION, campaign::Journal::rollback);
       const campaign::Taken taken = taken_of(store);
       out_.rows += taken.rows;
       out_.refused += taken.refused;
@@ -293,7 +289,6 @@ class Gathering {
       for (const std::string& each : taken.why) remark(part, each);
       set_aside(folder_, part.path);
     } catch (const campaign::StoreInUse&) {
-      ++out_.in_use;
       if (tasks == Tasks::killed_too) remark(part, "a task that should have ended still holds it; it is taken later");
     } catch (const campaign::StoreRefusal& error) {
       if (!fs::exists(part.path)) return;  // the task has ended meanwhile and renamed the file
@@ -343,9 +338,10 @@ class Gathering {
 
   const StudyFolder& folder_;
   campaign::Store& results_;
-  std::string version_;
   Gathered out_;
 };
+
+std::string line(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 void replace(const fs::path& file, const std::string& text) {
   const fs::path fresh = file.string() + ".new";
@@ -356,13 +352,13 @@ void replace(const fs::path& file, const std::string& text) {
 
 }  // namespace
 
-Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version) {
-  return Gathering(folder, results, program_version).all(tasks);
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks) {
+  return Gathering(folder, results).all(tasks);
 }
 
 std::vector<TaskProgress> task_progress(const StudyFolder& folder) {
   std::vector<TaskProgress> out;
-  for (const Named& each : files_of(folder, progress_ending)) {
+  for (const Named& each : files_of(folder, ".txt")) {
     try {
       out.push_back(progress_from_json(told_in(each.path)));
     } catch (const std::invalid_argument&) {
@@ -373,18 +369,14 @@ std::vector<TaskProgress> task_progress(const StudyFolder& folder) {
 }
 
 void write_refusal(const StudyFolder& folder, const TaskName& task, const std::string& node, const std::string& why) {
-  replace(folder.refusal(task), nlohmann::ordered_json{{"node", node}, {"why", why}}.dump(
-                                    -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
-                                    '\n');
+  replace(folder.refusal(task), line(Json{{"node", node}, {"why", why}}));
 }
 
 void write_progress(const StudyFolder& folder, const TaskName& task, const TaskProgress& progress) {
   replace(folder.progress(task), to_json(progress));
 }
 
-std::string to_json(const TaskProgress& progress) {
-  return nlohmann::json(progress).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
-}
+std::string to_json(const TaskProgress& progress) { return line(Json(progress)); }
 
 TaskProgress progress_from_json(const std::string& text) {
   try {

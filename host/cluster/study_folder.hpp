@@ -87,6 +87,8 @@ class StudyFolder {
   explicit StudyFolder(const std::filesystem::path& root);  // the stored path is absolute; the folder may be missing
 
   const std::filesystem::path& root() const { return root_; }
+  std::string name() const;                     // root() for messages
+  std::string command(const char* verb) const;  // for a shell: "regista VERB FOLDER"
   std::filesystem::path description() const { return root_ / "cluster.json"; }
   std::filesystem::path results() const { return root_ / "results.db"; }
   std::filesystem::path plan() const { return root_ / "plan.db"; }
@@ -117,7 +119,7 @@ class StudyFolder {
   // Returns the path of the copy of `file`, an absolute path.
   std::filesystem::path copy_of(const std::filesystem::path& file) const { return files() / file.relative_path(); }
   // Writes plan.db: the content of `results` without the matches. Throws campaign::StoreError, WriteError.
-  void write_plan(const campaign::Store& results, const std::string& program_version) const;
+  void write_plan(const campaign::Store& results) const;
 
   // Returns `job` with the paths of the copied files. given_in: the folder in which the user began the study.
   campaign::Job of_copies(campaign::Job job, const std::filesystem::path& given_in, const Settings& settings) const;
@@ -138,7 +140,6 @@ class StudyFolder {
 struct Gathered {
   std::uint64_t rows = 0;            // newly added matches
   std::uint64_t refused = 0;         // refused matches (campaign::Taken); their part moves to set_aside/
-  std::uint64_t in_use = 0;          // parts that tasks are still writing
   std::vector<std::string> remarks;  // one line each
   std::vector<std::string> refused_nodes;
 };
@@ -147,10 +148,9 @@ struct Gathered {
 enum class Tasks { ended, killed_too };
 
 // Adds the matches of the parts to `results`, and removes each part that was added completely. A part that is damaged
-// or of which a match is refused (see campaign::Taken) is moved to set_aside/, and its matches count as not played.
-// Throws campaign::StoreError for an error of `results` or of the disk, campaign::StoreRefusal for a part that cannot
-// be opened now.
-Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks, const std::string& program_version);
+// or has a refused match (see campaign::Taken) is moved to set_aside/, and its matches count as not played. Throws
+// campaign::StoreError for an error of `results` or of the disk, StoreRefusal for a part that cannot be opened now.
+Gathered gather(const StudyFolder& folder, campaign::Store& results, Tasks tasks);
 
 struct TaskProgress {
   std::uint64_t done = 0, all = 0;      // done: decided matches of the task; all: all matches of the task

@@ -7,34 +7,28 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include "cluster/step.hpp"
-#include "cluster/study_folder.hpp"
 #include "command/terminal.hpp"
 #include "output/replaced_file.hpp"
 #include "results/results_file.hpp"
-#include "study/study.hpp"
-#include "texts/json.hpp"
 
 namespace regista::cluster {
 
 namespace {
 
-// Adds the fixtures (matches without their seeds) of the slices to `part`, and no others, because a large tournament
-// has thousands of fixtures. Returns for each fixture of the round its number in `part`; 0 for a fixture that was not
-// added.
+// Adds only the fixtures (matches without their seeds) of the slices to `part`, because a large tournament has
+// thousands. Returns for each fixture of the round its number in `part`; 0 for a fixture that was not added.
 std::vector<std::int64_t> numbers_of(const study::Round& round, const Slices& slices, campaign::Store& part) {
   std::vector<bool> needed(round.fixtures.size());
   for (const Slice& slice : slices) {

@@ -97,21 +97,6 @@ void append_chunk_fields(std::string& to, const ChunkIndex& index, std::uint32_t
               index.compressed_size);
 }
 
-void append_message_index(std::string& to, ChannelId channel, const std::vector<MessagePlace>& places) {
-  const OpenRecord record(to, Opcode::message_index);
-  Encoder{to}(channel, places);
-}
-
-void append_summary_offset(std::string& to, Opcode group, std::uint64_t start, std::uint64_t length) {
-  const OpenRecord record(to, Opcode::summary_offset);
-  Encoder{to}(group, start, length);
-}
-
-void append_data_end(std::string& to, std::uint32_t checksum) {
-  append_prefix(to, Opcode::data_end, 4);
-  append_integer(to, checksum);
-}
-
 void append_footer_fields(std::string& to, std::uint64_t summary_start, std::uint64_t summary_offset_start) {
   append_prefix(to, Opcode::footer, footer_content);
   Encoder{to}(summary_start, summary_offset_start);
@@ -188,14 +173,6 @@ Chunk decode_chunk(std::string_view content) {
   in(chunk.first_time, chunk.last_time, chunk.uncompressed_size, chunk.checksum, chunk.compression, length);
   chunk.records = in.bytes(length);
   return chunk;
-}
-
-Footer decode_footer(std::string_view content) {
-  Decoder in(content);
-  Footer footer;
-  std::uint64_t offsets = 0;
-  in(footer.summary_start, offsets, footer.summary_checksum);
-  return footer;
 }
 
 }  // namespace regista::mcap

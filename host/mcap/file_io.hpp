@@ -11,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "mcap/records.hpp"
+#include "mcap/encoding.hpp"
 
 namespace regista::mcap {
 
@@ -25,14 +25,20 @@ class Error : public std::runtime_error {
 // The system's text for an error number.
 inline std::string reason(int error) { return std::generic_category().message(error); }
 
+// A file descriptor that the destructor closes.
+struct Descriptor {
+  int number = -1;  // negative: no file
+  Descriptor() = default;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor();
+};
+
 // A file of fixed size that is read at any position.
 class InputFile {
  public:
   // Throws Error unless the path is a regular file that may be read.
   explicit InputFile(std::filesystem::path path);
-  ~InputFile();
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t size() const { return size_; }
@@ -43,7 +49,7 @@ class InputFile {
 
  private:
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0;
 };
 
@@ -52,13 +58,10 @@ class OutputFile {
  public:
   // Creates the file. An existing file is an Error unless `replace` is true. All functions throw Error with the reason.
   OutputFile(std::filesystem::path path, bool replace);
-  ~OutputFile();  // closes the file without reporting errors; close() reports them
-  OutputFile(const OutputFile&) = delete;
-  OutputFile& operator=(const OutputFile&) = delete;
 
   // After a failed append() the end of the file is unknown, so every later call throws an Error with the same text.
   void append(std::string_view bytes);
-  void close();
+  void close();  // the destructor closes the file, too, but reports no errors
   void throw_if_failed() const;
 
   const std::filesystem::path& path() const { return path_; }
@@ -68,7 +71,7 @@ class OutputFile {
  private:
   [[noreturn]] void fail(int error);
   std::filesystem::path path_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::uint64_t size_ = 0;
   std::uint32_t checksum_ = 0;
   std::string failure_;

@@ -133,7 +133,7 @@ void Writer::store(Chunk& chunk) {
     if (chunk.places[i].empty()) continue;
     const auto channel = static_cast<ChannelId>(i + 1);
     index.message_indexes.emplace_back(channel, index.offset + bytes_.size());
-    append_message_index(bytes_, channel, chunk.places[i]);
+    append_fields(bytes_, Opcode::message_index, channel, chunk.places[i]);
   }
   index.message_index_length = bytes_.size() - index.length;
 
@@ -169,7 +169,7 @@ std::string Writer::summary() const {
     if (records.empty()) return;
     const std::size_t before = bytes.size();
     for (const auto& record : records) append_record(bytes, record);
-    append_summary_offset(offsets, opcode, start + before, bytes.size() - before);
+    append_fields(offsets, Opcode::summary_offset, opcode, start + before, bytes.size() - before);
   };
   append_group(Opcode::schema, schemas_);
   append_group(Opcode::channel, channels_);

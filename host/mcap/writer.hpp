@@ -32,7 +32,6 @@
 
 #include "mcap/encoding.hpp"
 #include "mcap/file_io.hpp"
-#include "mcap/records.hpp"
 
 namespace regista::mcap {
 
@@ -107,8 +106,6 @@ class Writer {
   // than 65535 schemas or channels. An Error for such content leaves the writer unchanged.
   explicit Writer(const std::filesystem::path& file, const WriterOptions& options = {});
   ~Writer();
-  Writer(const Writer&) = delete;
-  Writer& operator=(const Writer&) = delete;
 
   SchemaId add_schema(std::string_view name, std::string_view encoding, std::string_view data);
   // schema: a result of add_schema() of this writer, or SchemaId::none.

@@ -18,7 +18,7 @@
 #include <utility>
 
 #include "config/errors.hpp"
-#include "mcap/records.hpp"
+#include "mcap/encoding.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/field_svg.hpp"
 #include "report/experiment_report.hpp"

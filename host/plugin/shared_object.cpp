@@ -29,7 +29,6 @@
 #include "plugin/process_state.hpp"
 #include "process/child.hpp"
 #include "process/file_descriptor.hpp"
-#include "process/watch.hpp"
 #include "texts/bytes.hpp"
 #include "texts/message.hpp"
 

@@ -7,7 +7,6 @@
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,8 +14,9 @@
 #include <cassert>
 #include <cerrno>
 #include <cstring>
+#include <ctime>
 #include <fstream>
-#include <string_view>
+#include <sstream>
 #include <system_error>
 
 #include "process/file_descriptor.hpp"
@@ -121,6 +121,27 @@ bool read_both(const ProgramCall& call, FileDescriptor& output, FileDescriptor& 
   return true;
 }
 
+struct Activity {
+  char state = 'R';
+  unsigned long long used = 0;
+};
+
+// The format is that of proc(5): number, name in parentheses (any characters), state, ten fields, user and kernel time.
+std::optional<Activity> activity_of(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/stat", process));
+  std::string line;
+  if (!std::getline(file, line) || line.rfind(')') == std::string::npos) return std::nullopt;
+  std::istringstream fields(line.substr(line.rfind(')') + 1));
+  Activity out;
+  std::string skipped;
+  unsigned long long user = 0, kernel = 0;
+  fields >> out.state;
+  for (int i = 0; i < 10; ++i) fields >> skipped;
+  if (!(fields >> user >> kernel)) return std::nullopt;
+  out.used = user + kernel;
+  return out;
+}
+
 std::string quoted(const std::string& word) {
   constexpr auto plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
   if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
@@ -165,14 +186,6 @@ bool become_child(const Setting& setting, pid_t parent) {
   if (!place_files(setting) || !set_limits(setting.limits)) return false;
   if (!setting.keeps_signals) default_signals();
   return true;
-}
-
-bool ProcessEnd::was_stopped() const { return WIFSTOPPED(status); }
-
-bool ProcessEnd::exited_with(int code) const { return WIFEXITED(status) && WEXITSTATUS(status) == code; }
-
-std::optional<int> ProcessEnd::signal_number() const {
-  return WIFSIGNALED(status) ? std::optional(WTERMSIG(status)) : std::nullopt;
 }
 
 bool ProcessEnd::from_outside() const {
@@ -281,6 +294,44 @@ void Descendants::end_all_but(std::span<const pid_t> those) const {
     }
     if (!found) return;
   }
+}
+
+double processor_seconds_of(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0.0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::uint64_t address_space_of(pid_t process) {
+  std::ifstream file(fmt::format("/proc/{}/statm", process));
+  std::uint64_t pages = 0;
+  file >> pages;
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+double IdleProcess::idle_seconds() {
+  const std::optional<Activity> now = activity_of(process_);
+  const bool idle = now && now->state != 'R' && now->state != 'D' && now->used == used_;
+  if (now) used_ = now->used;
+  if (!idle) since_ = Clock::now();
+  return std::chrono::duration<double>(Clock::now() - since_).count();
+}
+
+void KeptOutput::add(std::string_view text) {
+  const std::size_t room = most_each - first_.size();
+  first_.append(text.substr(0, room));
+  text.remove_prefix(std::min(room, text.size()));
+  last_.append(text);
+  if (last_.size() <= most_each) return;
+  const std::size_t too_many = last_.size() - most_each;
+  left_out_ += too_many;
+  last_.erase(0, too_many);
+}
+
+std::string KeptOutput::text() const {
+  if (left_out_ == 0) return first_ + last_;
+  return fmt::format("{}\n[{} bytes are left out]\n{}", first_, left_out_, last_);
 }
 
 ProgramEnd run_program(const ProgramCall& call) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Starts a child process, limits its resources, waits for it, ends it, and describes its end. A child has its own
-// process group, so that Ctrl-C on the terminal reaches only its parent. A child dies with its parent
-// (PR_SET_PDEATHSIG). Processes in the child's group are killed with the child. Descendants kills processes that left
-// the group.
+// Starts a child process, limits its resources, watches it, ends it, and describes its end. A child has its own process
+// group, so that Ctrl-C on the terminal reaches only its parent. A child dies with its parent (PR_SET_PDEATHSIG). Its
+// group is killed with the child. Descendants kills processes that left the group.
 #pragma once
 
 #include <sys/types.h>
+#include <sys/wait.h>
 
 #include <chrono>
 #include <csignal>
@@ -15,6 +15,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -61,9 +62,12 @@ struct ProcessEnd {
   int status = 0;                  // status from waitpid()
   double processor_seconds = 0.0;  // processor time that the process used; 0 for a stopped process
 
-  bool was_stopped() const;
-  bool exited_with(int code) const;
-  std::optional<int> signal_number() const;  // signal that ended the process
+  bool was_stopped() const { return WIFSTOPPED(status); }
+  bool exited_with(int code) const { return WIFEXITED(status) && WEXITSTATUS(status) == code; }
+  // Returns the signal that ended the process.
+  std::optional<int> signal_number() const {
+    return WIFSIGNALED(status) ? std::optional(WTERMSIG(status)) : std::nullopt;
+  }
   // Returns whether the process ended by a signal that people or systems send (SIGKILL, SIGTERM, SIGINT, SIGHUP,
   // SIGQUIT). Such an end is no evidence of a mistake in its code.
   bool from_outside() const;
@@ -118,9 +122,8 @@ class Child {
   bool ends_group_ = true;
 };
 
-// Kills processes that plugins have started. When its parent ends, such a process becomes a child of this process.
-// Strangers, and processes in their groups, are not killed. Strangers are children that a shell left when it became
-// this process (`exec`).
+// Kills processes that plugins have started, which become children of this process when their parents end. Strangers
+// and their groups are not killed: children that a shell left when it became this process (`exec`).
 class Descendants {
  public:
   // Must be called before this process starts children, because all present children are strangers. Each later child
@@ -135,8 +138,92 @@ class Descendants {
   std::vector<pid_t> strangers_, groups_;
 };
 
-// --- Other programs, such as the commands of Slurm. They run without a shell. The caller waits for their end and gets
-// their output. shell_line() and command_line() write a command for a shell.
+// --- Watching another process
+
+// Returns the processor time of a running process so far, s; 0 if it is unknown.
+double processor_seconds_of(pid_t process);
+
+// Returns the mapped address space of a process, bytes; 0 if it is unknown.
+std::uint64_t address_space_of(pid_t process);
+
+// Measures how long a process has been idle. A process that waits for a processor or a disk does not count as idle.
+class IdleProcess {
+ public:
+  explicit IdleProcess(pid_t process) : process_(process) {}
+
+  // Returns how long, in s, all calls have found the process asleep or stopped. Must be called several times a second.
+  double idle_seconds();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  pid_t process_;
+  unsigned long long used_ = 0;  // used processor time in clock ticks of the system
+  Clock::time_point since_ = Clock::now();
+};
+
+struct CallLimits {
+  int processor_seconds = 0;  // processor time of one call, s
+  double wall_seconds = 0.0;  // wall time of one call, s; much longer than processor_seconds, for a plugin that sleeps
+};
+
+enum class Exceeded { nothing, processor_time, wall_time };
+
+// Checks whether the current call in a process exceeds its limits. The owner calls look() from time to time. Call: a
+// type whose values identify a call and differ from one call to the next.
+template <class Call>
+class CallWatch {
+ public:
+  using Clock = std::chrono::steady_clock;
+  explicit CallWatch(const CallLimits& limits) : limits_(limits) {}
+
+  // working: the process is in a call, and not between two calls.
+  Exceeded look(const Call& call, bool working, pid_t process) {
+    const double processor = processor_seconds_of(process);
+    if (!(call == call_)) {
+      call_ = call;
+      began_ = Clock::now();
+      processor_then_ = processor;
+    }
+    if (processor_then_ < 0.0) processor_then_ = processor;
+    if (wall_seconds() > limits_.wall_seconds) return Exceeded::wall_time;
+    if (working && processor - processor_then_ > limits_.processor_seconds) return Exceeded::processor_time;
+    return Exceeded::nothing;
+  }
+  // Describes what the call has exceeded: see used_processor_time(). Precondition: not Exceeded::nothing.
+  std::string in_words(Exceeded exceeded) const {
+    return exceeded == Exceeded::wall_time ? did_not_return(limits_.wall_seconds)
+                                           : used_processor_time(limits_.processor_seconds);
+  }
+  // Returns the time since the first look at the current call, s.
+  double wall_seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
+  // Starts the measurement again. Must be called while no call with a time limit is in progress.
+  void pause() {
+    began_ = Clock::now();
+    processor_then_ = unknown;
+  }
+
+ private:
+  CallLimits limits_;
+  Call call_{};
+  Clock::time_point began_ = Clock::now();
+  static constexpr double unknown = -1.0;
+  double processor_then_ = unknown;  // processor time at the first look at the call, s
+};
+
+// Keeps the beginning and the end of the standard error text of a process.
+class KeptOutput {
+ public:
+  void add(std::string_view text);
+  // Returns the text. If a middle part is missing, a line says how many bytes were left out.
+  std::string text() const;
+
+ private:
+  static constexpr std::size_t most_each = 4096;  // bytes that are kept at the beginning, and as many at the end
+  std::string first_, last_;
+  std::uint64_t left_out_ = 0;
+};
+
+// --- Other programs, such as the commands of Slurm, which run without a shell; and commands as lines for a shell
 
 struct ProgramCall {
   std::vector<std::string> words;                          // program name, searched in PATH, and its arguments
@@ -153,8 +240,7 @@ struct ProgramEnd {
   bool succeeded() const { return found && in_time && end.exited_with(0); }
 };
 
-// Runs a program with empty standard input, and waits for its end. The program continues if this process dies. Throws
-// std::system_error if no process can be started.
+// Runs a program with empty standard input to its end. The program may outlive this process. Throws std::system_error.
 ProgramEnd run_program(const ProgramCall& call);
 
 // Returns a line that a POSIX shell splits into the same words.

@@ -3,16 +3,13 @@
 
 #include <fcntl.h>
 #include <stdlib.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 
 #include <array>
 #include <cassert>
-#include <cerrno>
+#include <cstdio>
 #include <cstring>
-#include <string>
-#include <system_error>
 
 namespace regista::process {
 namespace {
@@ -87,6 +84,18 @@ bool write_all(int descriptor, std::span<const std::uint8_t> bytes) {
   return write_all(descriptor, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
+RedirectedStream::RedirectedStream(int stream, int to) : stream_(stream) {
+  std::fflush(stdout);  // the buffered text belongs to the old file
+  before_.reset(::fcntl(stream, F_DUPFD_CLOEXEC, 10));
+  if (before_.is_open()) ::dup2(to, stream);
+}
+
+RedirectedStream::~RedirectedStream() {
+  if (!before_.is_open()) return;
+  std::fflush(stdout);
+  ::dup2(before_.number, stream_);
+}
+
 bool send_bytes(int socket, std::span<const std::byte> bytes, std::span<const int> files) {
   assert(files.size() <= most_passed_files);
   iovec content{const_cast<std::byte*>(bytes.data()), bytes.size()};
@@ -152,8 +161,6 @@ void* map_shared_file(const FileDescriptor& file, std::size_t bytes) {
 }
 
 void* map_for_copies(std::size_t bytes) { return mapped(bytes, MAP_ANONYMOUS, -1); }
-
-void unmap(void* memory, std::size_t bytes) { ::munmap(memory, bytes); }
 
 namespace fs = std::filesystem;
 

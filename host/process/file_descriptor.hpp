@@ -2,6 +2,7 @@
 // File descriptors: ownership, pipes, reading, writing, transfer to other processes, locks, and shared memory.
 #pragma once
 
+#include <sys/mman.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -42,8 +43,7 @@ struct FileDescriptor {
   }
 };
 
-// Moves the file to a descriptor number of at least `lowest`, because a plugin may write to small numbers that it
-// guessed. The descriptor is closed at exec.
+// Moves the file to a number of at least `lowest`, which a plugin does not guess. The descriptor is closed at exec.
 FileDescriptor moved_up(FileDescriptor file, int lowest);
 
 // A pipe whose ends are closed at exec. Reading never waits; writing waits while the pipe is full.
@@ -63,6 +63,17 @@ std::string everything_in(int file);
 // Writes the whole text. Returns false if a part was not written. Makes only calls that are safe in a signal handler.
 bool write_all(int descriptor, std::string_view text);
 bool write_all(int descriptor, std::span<const std::uint8_t> bytes);
+
+// While this object exists, a standard stream of this process leads to the file `to`.
+class RedirectedStream {
+ public:
+  RedirectedStream(int stream, int to);
+  ~RedirectedStream();
+
+ private:
+  int stream_;
+  FileDescriptor before_;
+};
 
 // Repeats a system call while a signal interrupts it, and returns its result. Safe in a signal handler.
 template <class Call>
@@ -113,9 +124,8 @@ bool receive_with_files(int socket, T& message, std::vector<FileDescriptor>& fil
 // network file systems treat both kinds of locks as equal, so flock() would block SQLite's own locks there.
 enum class FileLock { shared, exclusive };
 
-// Locks without waiting. The lock lasts until the descriptor and its copies in other processes are closed. `descriptor`
-// must be open for reading (shared lock) or for writing (exclusive lock). Returns operation_would_block if another
-// process holds a conflicting lock.
+// Locks without waiting, until the descriptor and its copies in other processes are closed. `descriptor` must be open
+// for reading (shared lock) or writing (exclusive lock). Returns operation_would_block for a conflicting lock.
 std::error_code lock_file(int descriptor, FileLock lock);
 // Unlocks the file now, for all copies of the descriptor. On some network file systems, closing unlocks only later.
 void unlock_file(int descriptor);
@@ -128,15 +138,13 @@ void* map_shared_file(const FileDescriptor& file, std::size_t bytes);
 // Maps memory that copies of this process share. It has no file, so a limit on file sizes has no effect. Throws
 // std::system_error.
 void* map_for_copies(std::size_t bytes);
-void unmap(void* memory, std::size_t bytes);
 
 // Selects the SharedMemory constructor for memory that only copies of this process share. The memory has no descriptor.
 struct ForCopies {};
 inline constexpr ForCopies for_copies;
 
-// A value in memory that several processes share. The value outlives the processes that wrote it. T must have a trivial
-// destructor and no pointers into a process. Copies of this process see the same value. A started program sees it
-// through an inherited descriptor.
+// A value in memory that copies of this process share, and started programs with an inherited descriptor. The value
+// outlives the processes that wrote it. T must have a trivial destructor and no pointers into a process.
 template <class T>
 class SharedMemory {
   static_assert(std::is_trivially_destructible_v<T>);
@@ -162,7 +170,7 @@ class SharedMemory {
   // Removes the value from this process. The value stays in copies of this process.
   void forget() {
     file_.reset();
-    if (value_ != nullptr) unmap(value_, sizeof(T));
+    if (value_ != nullptr) ::munmap(value_, sizeof(T));
     value_ = nullptr;
   }
 
@@ -171,11 +179,9 @@ class SharedMemory {
   T* value_;
 };
 
-// --- A temporary folder. The destructor of the object removes it.
-
+// A temporary folder. The constructor throws std::system_error. The destructor removes the folder.
 class TemporaryFolder {
  public:
-  // Throws std::system_error.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <string>
 
-#include "mcap/records.hpp"
+#include "mcap/encoding.hpp"
 
 namespace regista::recording {
 

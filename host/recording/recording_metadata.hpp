@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "mcap/encoding.hpp"
 #include "mcap/reader.hpp"
-#include "mcap/records.hpp"
 #include "mind/team_plan.hpp"
 
 namespace regista::recording {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "campaign/match_inputs.hpp"
+#include "campaign/job.hpp"
 #include "config/match_settings.hpp"
 #include "config/values.hpp"
 

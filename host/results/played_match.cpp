@@ -8,17 +8,13 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
-#include <vector>
 
 #include "campaign/engine.hpp"
 #include "campaign/match_encoding.hpp"
-#include "campaign/match_inputs.hpp"
-#include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
 #include "config/scalar.hpp"
 #include "match/game_state.hpp"
@@ -142,6 +138,16 @@ std::string clock_text(double seconds) {
   return fmt::format("{:02}:{:02}", whole / 60, whole % 60);
 }
 
+campaign::Job job_of(const MatchOptions& options) {
+  campaign::Job job;
+  static_cast<campaign::MatchConditions&>(job) = options;
+  job.teams = {options.teams.at(0), options.teams.at(1)};
+  for (const config::Override& each : config::typed_overrides(options.set)) job.overrides.push_back(to_string(each));
+  job.plugins = options.plugins;
+  job.seed = config::parse_whole("--seed", options.seed, 0, UINT64_MAX);
+  return job;
+}
+
 report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::MatchSetup& prepared,
                                      const plugin::Catalogue& catalogue) {
   const campaign::FoundInputs inputs =
@@ -219,8 +225,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
   }
   std::unique_ptr<recording::MatchRecording> recording;
   if (!options.record.empty()) {
-    const std::string command =
-        campaign::match_command(stored ? stored->job : campaign::job_of(options, options.plugins));
+    const std::string command = campaign::match_command(stored ? stored->job : job_of(options));
     recording = begin_recording(options, {plans, "regista " REGISTA_VERSION, command, played.opening, played.seed});
   }
   LiveLine live(played.teams, !options.quiet, options.verbose);
@@ -262,7 +267,7 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
 
   const auto began = std::chrono::steady_clock::now();
   const pid_t here = getpid();
-  std::optional<campaign::StandardOutputKept> kept(std::in_place);
+  std::optional<process::RedirectedStream> kept(std::in_place, STDOUT_FILENO, STDERR_FILENO);
   plugin::keep_orphans();
   const plugin::ProcessState before = plugin::ProcessState::now();
   std::string left;

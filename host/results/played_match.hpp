@@ -35,26 +35,29 @@ StoredMatch read_stored_match(const std::string& results, const std::string& row
 // Use of a match whose program or plugins have changed: refuse it, or play it to see whether the result is the same.
 enum class Changed { refused, played };
 
-// Sets up a stored match. Throws BadInput if the match cannot be set up in its stored form; with Changed::played, only
-// if it cannot be set up at all. Throws output::WriteError if there is no room for copies of its files. program: the
-// program's name in messages.
+// Sets up a stored match. Throws BadInput if this cannot be done in its stored form; with Changed::played, only if it
+// cannot be done at all. Throws output::WriteError if there is no room for copies of its files. program: the name in
+// messages.
 std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const plugin::Catalogue& catalogue,
                                               const std::string& program, Changed changed = Changed::refused);
 
-// Plays the match in workers under the limits of its study. Records the match if the job asks for it. Throws BadInput
-// and output::WriteError.
+// Plays the match in workers under the limits of its study, as the job says. Throws BadInput and output::WriteError.
 campaign::MatchResult play_by_workers(const StoredMatch& stored, campaign::Job job);
 
 // Returns whether both matches have the same hash, were forfeited by the same side, or could not be played.
 bool came_out_alike(const campaign::MatchResult& stored, const campaign::MatchResult& now);
 
-struct MatchOptions : campaign::MatchRequest {
-  std::vector<std::string> set, plugins;  // --set and --plugins as typed
+struct MatchOptions : campaign::MatchConditions {
+  std::vector<std::string> teams, set, plugins;  // as typed; teams: files: home, away
+  std::string seed = "1";
   std::string decisions, record, metrics, from, row;
   bool force = false, json = false, quiet = false, verbose = false, in_process = false;
   std::string log = "info";  // lowest level of the plugin log lines that are shown; "none": no lines
   std::string processor_seconds = "10", wall_seconds = "200";
 };
+
+// Returns the job of these options, without inputs and plugin files. Throws BadInput, config::Error.
+campaign::Job job_of(const MatchOptions& options);
 
 // Returns the inputs of a match, which its report shows first.
 report::WhatWasPlayed what_is_played(const campaign::Job& job, const campaign::MatchSetup& prepared,

@@ -4,15 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <chrono>
 #include <cstddef>
-#include <cstdint>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <memory>
-#include <optional>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -22,13 +18,11 @@
 #include "config/overlay.hpp"
 #include "match/side.hpp"
 #include "mcap/file_io.hpp"
-#include "output/replaced_file.hpp"
 #include "process/file_descriptor.hpp"
 #include "recording/match_page.hpp"
 #include "recording/packed_recording.hpp"
 #include "recording/recorded_match.hpp"
 #include "recording/recording_metadata.hpp"
-#include "report/matches_section.hpp"
 #include "report/outline.hpp"
 #include "results/played_match.hpp"
 #include "results/results_file.hpp"
@@ -40,12 +34,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using command::BadInput;
-
-std::string required_content(const std::filesystem::path& file) {
-  std::optional<std::string> out = config::file_content(file);
-  if (!out) throw BadInput(fmt::format("{}: cannot be read", file.string()));
-  return std::move(*out);
-}
 
 constexpr double before_goal = 4.0, before_end = 8.0;  // s by which a replay opens before the goal or the end
 
@@ -81,8 +69,6 @@ class NewRecording {
     fs::remove(file_, none);
     if (made_folder_) fs::remove(place_.parent_path(), none);  // removes only an empty folder
   }
-  NewRecording(const NewRecording&) = delete;
-  NewRecording& operator=(const NewRecording&) = delete;
 
   const fs::path& file() const { return file_; }
   void keep() const {
@@ -128,25 +114,44 @@ std::string score_text(const report::ListedMatch& match) {
   return fmt::format("{} {}:{} {}", home, match.score[0], match.score[1], away);
 }
 
+// Returns a played match in the form that the study's page lists.
+report::ListedMatch listed_in(const report::StudyReport& report, const study::Round& round, std::uint64_t index,
+                              const campaign::MatchResult& decided) {
+  report::ListedMatch out = report::listed(round.first_row + index + 1, report.players(round, index), decided);
+  if (round.first_of_pairing && round.first_of_pairing(index)) out.seconds.reset();  // two plays: no time of one play
+  return out;
+}
+
+// Calls `take` for each played match, in the order of rows.
+void for_each_listed(const StoredResults& results, const std::function<void(report::ListedMatch)>& take) try {
+  const auto report = stored_study(results.file.string(), results.store, {}, results.kinds);
+  study::read_back(report->study(), results.store, report->study().metrics(),
+                   [&](const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
+                     if (decided != nullptr) take(listed_in(*report, round, index, *decided));
+                   });
+} catch (const campaign::StoreError& error) {
+  throw BadInput(error.what());
+}
+
 std::string end_text(const campaign::MatchResult& now) {
   if (now.failure) return fmt::format("it was forfeited by {}", now.failure->side == 0 ? "home" : "away");
   if (now.set_aside()) return "it could not be played";
   return fmt::format("it ended {}:{} with the hash {}", now.score[0], now.score[1], now.hash);
 }
 
-}  // namespace
-
-std::filesystem::path viewer_file(const Invocation& invocation) { return invocation.own("share/regista/viewer.html"); }
-
 void require_viewer(const Invocation& invocation) {
-  const std::filesystem::path viewer = viewer_file(invocation);
+  const fs::path viewer = viewer_file(invocation);
   std::error_code none;
-  if (std::filesystem::exists(viewer, none)) return;
+  if (fs::exists(viewer, none)) return;
   throw BadInput(
       fmt::format("view: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
                   "`npm ci` was run in viewer/; `regista view --at` and other readers of MCAP work without it",
                   viewer.string()));
 }
+
+}  // namespace
+
+std::filesystem::path viewer_file(const Invocation& invocation) { return invocation.own("share/regista/viewer.html"); }
 
 void require_small_enough(const std::filesystem::path& recording) {
   std::error_code none;
@@ -162,7 +167,9 @@ std::string viewer_page(const std::filesystem::path& recording, std::string_view
                         const Invocation& invocation) {
   require_viewer(invocation);
   const std::filesystem::path viewer = viewer_file(invocation);
-  const auto out = recording::match_page(required_content(viewer), recording::packed_recording(recording), name, mark);
+  const std::optional<std::string> page = config::file_content(viewer);
+  if (!page) throw BadInput(fmt::format("{}: cannot be read", viewer.string()));
+  const auto out = recording::match_page(*page, recording::packed_recording(recording), name, mark);
   if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
   return *out;
 }
@@ -194,10 +201,10 @@ Replay replay(const fs::path& results, const report::ListedMatch& match, Recorde
   const fs::path place = study::recording_file(file, static_cast<std::int64_t>(match.row));
   const bool failed = !match.played();
 
-  out.played = recorded == Recorded::played_again || !recording::is_recording_of(place, wanted);
+  const bool plays = recorded == Recorded::played_again || !recording::is_recording_of(place, wanted);
   std::optional<NewRecording> fresh;
   std::string came_out = "as it was recorded";
-  if (out.played) {
+  if (plays) {
     fresh.emplace(place);
     job.plugin_files = catalogue.used_files();
     job.record = fresh->file().string();
@@ -230,30 +237,21 @@ Replay replay(const fs::path& results, const report::ListedMatch& match, Recorde
   throw output::WriteError(error.what());
 }
 
-report::ListedMatch listed_match(const StoredResults& results, std::uint64_t row) try {
-  const auto report = stored_study(results.file.string(), results.store, {}, results.kinds);
+report::ListedMatch listed_match(const StoredResults& results, std::uint64_t row) {
   std::optional<report::ListedMatch> out;
-  study::read_back(report->study(), results.store, report->study().metrics(),
-                   [&](const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
-                     if (decided == nullptr || round.first_row + index + 1 != row) return;
-                     out = listed_in(*report, round, index, *decided);
-                   });
+  for_each_listed(results, [&](report::ListedMatch match) {
+    if (match.row == row) out = std::move(match);
+  });
   if (!out)
     throw BadInput(
         fmt::format("--row {}: {} has no such match, or matches before it are missing", row, results.file.string()));
   return *out;
-} catch (const campaign::StoreError& error) {
-  throw BadInput(error.what());
 }
 
-bool replay_telling(const StoredResults& results, std::size_t matches, const Invocation& invocation) try {
+bool replay_telling(const StoredResults& results, std::size_t matches, const Invocation& invocation) {
   require_viewer(invocation);
   report::MatchList list(matches);
-  const auto report = stored_study(results.file.string(), results.store, {}, results.kinds);
-  study::read_back(report->study(), results.store, report->study().metrics(),
-                   [&](const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided) {
-                     if (decided != nullptr) list.take(listed_in(*report, round, index, *decided));
-                   });
+  for_each_listed(results, [&](report::ListedMatch match) { list.take(std::move(match)); });
   const std::vector<report::ListedMatch> telling = list.highlights(matches);
   if (telling.empty()) {
     command::complain(fmt::format("{}: no match was won or forfeited; `regista view {} --row N` shows any of them",
@@ -279,8 +277,6 @@ bool replay_telling(const StoredResults& results, std::size_t matches, const Inv
                              texts::duration(first * static_cast<double>(telling.size() - 1))));
   }
   return all_same;
-} catch (const campaign::StoreError& error) {
-  throw BadInput(error.what());
 }
 
 namespace {
@@ -305,13 +301,6 @@ void add_matches(report::Outline& outline, const report::MatchList& matches, con
 }
 
 }  // namespace
-
-report::ListedMatch listed_in(const report::StudyReport& report, const study::Round& round, std::uint64_t index,
-                              const campaign::MatchResult& decided) {
-  report::ListedMatch out = report::listed(round.first_row + index + 1, report.players(round, index), decided);
-  if (round.first_of_pairing && round.first_of_pairing(index)) out.seconds.reset();  // two plays: no time of one play
-  return out;
-}
 
 void write_page(const StoredResults& results, const PageOptions& options) {
   try {

@@ -36,18 +36,12 @@ struct StoredResults {
   std::span<const StudyKind> kinds;
 };
 
-// Returns a played match in the form that the study's page lists.
-report::ListedMatch listed_in(const report::StudyReport& report, const study::Round& round, std::uint64_t index,
-                              const campaign::MatchResult& decided);
-
-// Writes the page. Prints a message about missing results unless incomplete_is_known is true. Throws BadInput and
-// output::WriteError.
+// Writes the page, and a message about missing results if these are not known. Throws BadInput and output::WriteError.
 void write_page(const StoredResults& results, const PageOptions& options);
 
-// Writes the page of a running or finished study beside its results (study/study.hpp). This page replaces an older page
-// of Regista and no other file. An error causes only a message of one line, because the results are safe. figures: true
-// also writes the figures to the folder NAME.figures. `options` must contain no paths. Returns the path of the page, or
-// nothing if the page was not written.
+// Writes the page of a running or finished study beside its results (study/study.hpp). Replaces only an older page. An
+// error causes only a message, because the results are safe. figures: true also writes the figures to the folder
+// NAME.figures. `options` must contain no paths. Returns the path of the page; nothing if there is none.
 std::optional<std::filesystem::path> write_page_beside(const StoredResults& results, bool figures,
                                                        PageOptions options = {});
 
@@ -76,9 +70,6 @@ class RefreshSchedule {
 // Returns the path of the viewer, even if the file does not exist.
 std::filesystem::path viewer_file(const Invocation& invocation);
 
-// Throws BadInput if this build has no viewer.
-void require_viewer(const Invocation& invocation);
-
 // Throws BadInput if the recording is too large for a page in a browser.
 void require_small_enough(const std::filesystem::path& recording);
 
@@ -90,7 +81,6 @@ std::string viewer_page(const std::filesystem::path& recording, std::string_view
 struct Replay {
   std::filesystem::path page;
   bool same = true;    // true: the replay equals the stored match
-  bool played = true;  // false: an existing recording was used
   std::string words;   // for the user: "row 17: a 3:1 b, the same match"
   std::string remark;  // names changes of program or plugins since the study; usually empty
 };
@@ -105,8 +95,7 @@ Replay replay(const std::filesystem::path& results, const report::ListedMatch& m
 report::ListedMatch listed_match(const StoredResults& results, std::uint64_t row);
 
 // Replays the `matches` most informative matches (report::MatchList::highlights()) and writes a page of each. Prints
-// the expected time first and then a line for each match. Returns false if any replay differs from its stored match.
-// Throws the exceptions of replay().
+// the expected time, then a line for each match. Returns false if any replay differs. Throws like replay().
 bool replay_telling(const StoredResults& results, std::size_t matches, const Invocation& invocation);
 
 }  // namespace regista::results

@@ -4,24 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <set>
-#include <span>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "campaign/match_inputs.hpp"
-#include "campaign/stored_setup.hpp"
+#include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"
 #include "output/replaced_file.hpp"
 #include "process/child.hpp"
-#include "study/study.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"
 
@@ -31,6 +26,9 @@ namespace {
 // Keys of the metadata in the file.
 constexpr auto schedule = "schedule";
 constexpr auto resolved_teams = "documents";
+
+// Thrown to end the run of a study that has told what its caller asks.
+struct Known {};
 
 std::vector<std::string> differences(const std::string& file, const std::string& before, const study::Study& now,
                                      std::span<const StudyKind> kinds) {
@@ -248,7 +246,6 @@ std::unique_ptr<report::StudyReport> stored_study(const std::string& file, const
 }
 
 std::vector<campaign::Job> first_jobs(study::Study& study) {
-  struct Known {};
   std::vector<campaign::Job> out;
   try {
     study.run([&out](const study::Round& round) {
@@ -262,7 +259,6 @@ std::vector<campaign::Job> first_jobs(study::Study& study) {
       throw Known();
     });
   } catch (const Known&) {
-    // The exception Known only ended the study after its first round.
   }
   return out;
 }
@@ -272,7 +268,6 @@ std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, s
   if (auto found = store.row(place)) return found;
   // Equal matches share one row, so the match of this row may be stored in another row. Only the study knows which
   // match belongs to a row, and it plans a round from the results of earlier rounds. So the study runs until this row.
-  struct Known {};
   std::optional<campaign::Job> job;
   try {
     study.run([&](const study::Round& round) {
@@ -281,7 +276,6 @@ std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, s
       if (here || !study::answer_from(store, round, study.metrics())) throw Known();
     });
   } catch (const Known&) {
-    // The exception Known only ended the study: the match was found, or results of its round are missing.
   }
   if (!job) return std::nullopt;
   const std::string key = campaign::fixture_key(job->home_inputs, job->away_inputs, job->common_inputs);

@@ -27,9 +27,8 @@ struct BegunWith {
   std::vector<std::string> teams;            // resolved documents of the teams, for readers
 };
 
-// Opens the file of results for this study. A resumed study continues with its stored plan, which stored_study() reads.
-// Throws BadInput if the file exists without `resume`, is missing with `resume`, belongs to another study, or is
-// unusable.
+// Opens the file of results for this study. A resumed study continues with its stored plan: see stored_study(). Throws
+// BadInput if the file exists without `resume`, is missing with it, belongs to another study, or is unusable.
 campaign::Store open_results(const std::string& file, bool resume, const study::Study& study,
                              const BegunWith& begun_with, std::span<const StudyKind> kinds);
 
@@ -82,9 +81,8 @@ std::vector<campaign::Job> first_jobs(study::Study& study);
 // Returns the match in a row of the file, counted from 1, or nothing if it is unplayed. Throws campaign::StoreError.
 std::optional<campaign::Store::Row> stored_match(const campaign::Store& store, study::Study& study, std::uint64_t row);
 
-// --- A stored study as a folder that `regista run` plays. The folder has study.yaml and, below it, the teams,
-// profiles, scenes and data files of the study, in the same relative places. A name of a file in the folder is
-// relative.
+// --- A stored study as a folder that `regista run` plays: study.yaml and, below it, the teams, profiles, scenes and
+// data files of the study, in the same relative places. Names of files in the folder are relative.
 
 // Writes a study to a new folder. documents: the documents of the study; kinds: all kinds of studies; folder: must not
 // exist. Returns one line for each file or folder that the new folder lacks. Throws BadInput and output::WriteError.

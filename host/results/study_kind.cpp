@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "command/terminal.hpp"
 #include "config/errors.hpp"
 #include "process/child.hpp"
 #include "texts/message.hpp"
@@ -26,7 +25,7 @@ plugin::Catalogue open_stored_plugins(const std::string& file, const std::vector
     std::error_code error;
     if (std::filesystem::is_directory(each, error)) continue;
     const std::string write = process::shell_line({"regista", "report", file, "--study", "again"});
-    throw command::BadInput(texts::one_line(fmt::format(
+    throw config::BadInput(texts::one_line(fmt::format(
         "{}: it was played with the plugins of {}, which is no folder any more; put it back, or play its study "
         "with others: {}, then regista run again/study.yaml --plugins DIR",
         file, std::filesystem::absolute(each).lexically_normal().string(), write)));
@@ -50,9 +49,7 @@ std::vector<config::DocumentKind> document_kinds(const Invocation& invocation) {
 }
 
 std::vector<std::string> kind_names(const Invocation& invocation) {
-  std::vector<std::string> out;
-  for (const config::DocumentKind& kind : document_kinds(invocation)) out.emplace_back(kind.name);
-  return out;
+  return texts::names_of(document_kinds(invocation), &config::DocumentKind::name);
 }
 
 config::DocumentKind kind_named(const std::string& name, std::string_view command, const Invocation& invocation) {

@@ -36,9 +36,8 @@ struct Invocation {
   }
 };
 
-// Opens the plugins that commands use. The search order is: the folders of `--plugins`, the folders of the environment
-// variable REGISTA_PLUGIN_PATH, then ../lib/regista/plugins relative to the program's folder. Throws config::Error if
-// an option names no folder.
+// Opens the plugins in the folders of `--plugins`, then those of the environment variable REGISTA_PLUGIN_PATH, then
+// ../lib/regista/plugins relative to the program's folder. Throws config::Error if an option is no folder.
 plugin::Catalogue open_plugins(const std::vector<std::string>& folders, const Invocation& invocation);
 
 // Opens the plugins of a file of results from its stored folders. Throws BadInput if a folder no longer exists; the
@@ -72,9 +71,8 @@ struct StudyKind {
   // Returns the plan with another number of pairs of matches. No function: this kind has no number of pairs. Throws
   // std::invalid_argument with one line that says why the plan cannot have this number.
   std::function<std::string(const std::string& plan, std::uint64_t pairs)> with_pairs{};
-  // Returns the plan of a study that a time limit (--until, --minutes) stopped, without this early end, so that the
-  // study can continue. No function: a time limit never stops studies of this kind between two pairs. Throws
-  // std::invalid_argument.
+  // Returns the plan of a study that a time limit (--until, --minutes) stopped, without this end, so that it can go on.
+  // No function: no time limit stops studies of this kind between two pairs. Throws std::invalid_argument.
   std::function<std::string(const std::string& plan)> without_end{};
   // Changes a document that has no end of its own, so that a time limit ends the study. Returns other documents
   // unchanged. No function: every document must have an end.

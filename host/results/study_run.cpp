@@ -14,14 +14,12 @@
 #include <utility>
 #include <vector>
 
-#include "campaign/engine.hpp"
 #include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
 #include "output/replaced_file.hpp"
 #include "process/child.hpp"
 #include "results/replay.hpp"
 #include "results/results_file.hpp"
-#include "study/study.hpp"
 #include "texts/message.hpp"
 
 namespace regista::results {
@@ -54,8 +52,7 @@ std::string cut(std::string text, std::size_t width, std::size_t height) {
   return out;
 }
 
-// Shows the progress of a study on standard error. On a terminal it rewrites a block of lines in place; elsewhere it
-// prints a line for each match.
+// Shows the progress of a study on standard error: on a terminal a block of lines in place, elsewhere a line per match.
 class StudyProgress {
  public:
   // end_of_time: no match begins after this moment; may be missing. wanted: false shows no progress.
@@ -111,7 +108,6 @@ class StudyProgress {
     if (stored_ > 0) out += fmt::format("; {} were played before", stored_);
     command::say(out + '\n');
   }
-  // Prints the standing of a stopped study.
   void stopped() {
     if (wanted_ && taken_ > 0) command::say(outline_text(report_.outline()));
   }
@@ -208,8 +204,7 @@ struct Playing {
   const command::Interruption& interruption;
 };
 
-// Passes matches to the round only in complete pairs, so that a study that a time limit (--until, --minutes) stops has
-// no incomplete pair.
+// Passes matches to the round only in complete pairs, so that a time limit (--until, --minutes) splits no pair.
 class WholePairs {
  public:
   explicit WholePairs(const study::Round& round) : round_(round) {}
@@ -351,7 +346,6 @@ std::optional<std::uint64_t> play(study::Study& study, const campaign::Options& 
   }
 }
 
-// Ends the study after its first `pairs` pairs and stores the plan with this end.
 void end_after(std::uint64_t pairs, report::StudyReport& report, campaign::Store& store) {
   report.end_after(pairs);
   try {

@@ -51,7 +51,7 @@ std::vector<config::Warning> try_on_scenes(const mind::TeamPlan& plan, const cha
                                            const std::function<void(plugin::CallTracing)>& work_on) {
   findings.failure.fill('\0');
   const auto work = [&](campaign::WorkerNote& note) {
-    const campaign::StandardOutputKept kept;
+    const auto kept = campaign::keep_standard_output();
     try {
       work_on({.note = &note.call});
     } catch (const plugin::Failure& failure) {

@@ -19,7 +19,6 @@
 
 #include "campaign/engine.hpp"
 #include "campaign/job.hpp"
-#include "campaign/match_inputs.hpp"
 #include "campaign/store.hpp"
 #include "config/errors.hpp"
 #include "config/experiment.hpp"

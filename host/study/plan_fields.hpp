@@ -26,7 +26,7 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
 #include "config/documents.hpp"
 #include "config/parse.hpp"
 #include "config/values.hpp"

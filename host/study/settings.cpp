@@ -179,14 +179,13 @@ campaign::Job job_under(const config::MatchSettings& settings, const std::vector
 
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
                               const config::Overrides& said, const plugin::Catalogue& catalogue) {
-  campaign::MatchRequest request = campaign::request_of(job);
-  request.overrides = settings;
-  for (config::Override& each : request.overrides) {
+  config::Overrides laid = settings;
+  for (config::Override& each : laid) {
     each.value = each.value.laid();
     each.where.laid = true;
   }
   try {
-    return campaign::match_setup(request, catalogue);
+    return campaign::match_setup(job, laid, campaign::team_reader(catalogue));
   } catch (const config::Error& error) {
     // Finds the setting at the error's place, because the place in a document does not show which path was set.
     const auto is_of = [&error](const config::Location& where) {

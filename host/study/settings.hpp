@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/match_inputs.hpp"
 #include "campaign/match_setup.hpp"
 #include "campaign/store.hpp"
 #include "config/declaration.hpp"

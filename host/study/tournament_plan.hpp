@@ -17,7 +17,6 @@
 
 #include "campaign/engine.hpp"
 #include "campaign/job.hpp"
-#include "campaign/match_inputs.hpp"
 #include "campaign/store.hpp"
 #include "config/errors.hpp"
 #include "config/node.hpp"

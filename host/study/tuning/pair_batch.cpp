@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "campaign/match_inputs.hpp"
+#include "campaign/job.hpp"
 #include "plugin/shared_object.hpp"
 
 namespace regista::study {

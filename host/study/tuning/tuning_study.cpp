@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 
-#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
 #include "plugin/shared_object.hpp"
 #include "statistics/paired_tests.hpp"
 

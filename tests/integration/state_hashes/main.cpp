@@ -6,12 +6,14 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <utility>
 
 #include "campaign/match_setup.hpp"
+#include "config/scalar.hpp"
 #include "match/digest.hpp"
 #include "match/teams.hpp"
 #include "plugin/catalogue.hpp"
@@ -26,10 +28,10 @@ int main(int argc, char** argv) {
     const auto folder = std::filesystem::canonical("/proc/self/exe").parent_path() / "../lib/regista/plugins";
     const plugin::Catalogue catalogue({folder.lexically_normal()});
     for (int i = 2; i < argc; i += 2) {
-      campaign::MatchRequest request;
-      request.teams = {argv[i], argv[i + 1]};
-      request.seed = argv[1];
-      campaign::MatchSetup prepared = campaign::match_setup(request, catalogue);
+      campaign::Job job;
+      job.teams = {argv[i], argv[i + 1]};
+      job.seed = config::parse_whole("--seed", argv[1], 0, UINT64_MAX);
+      campaign::MatchSetup prepared = campaign::match_setup(job, catalogue);
       const std::array<const mind::TeamPlan*, 2> plans{prepared.plans[0].get(), prepared.plans[1].get()};
       const match::Result result = match::play(std::move(prepared.setup), plans);
       fmt::print("{} {} {}\n", match::hash_text(result.hash), argv[i], argv[i + 1]);

@@ -99,14 +99,12 @@ TEST(DecisionTrail, ADamagedOneIsNoCrash) {
 }
 
 TEST(DecisionTrail, TheFileIsBegunAnew) {
-  const TrailFile file;
-  ASSERT_EQ(::write(file.descriptor(), "first play", 10), 10);
-  EXPECT_EQ(file.content(), "first play");
-  TrailFile again;
-  ASSERT_EQ(::write(again.descriptor(), "a longer first play", 19), 19);
-  again.clear();
-  ASSERT_EQ(::write(again.descriptor(), "second", 6), 6);
-  EXPECT_EQ(again.content(), "second");
+  const process::FileDescriptor trail = trail_file();
+  ASSERT_EQ(::write(trail.number, "a longer first play", 19), 19);
+  EXPECT_EQ(process::everything_in(trail.number), "a longer first play");
+  empty_trail(trail.number);
+  ASSERT_EQ(::write(trail.number, "second", 6), 6);
+  EXPECT_EQ(process::everything_in(trail.number), "second");
 }
 
 }  // namespace

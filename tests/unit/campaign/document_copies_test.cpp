@@ -33,7 +33,7 @@ TEST(DocumentCopies, NamesLeadToTheCopies) {
   job.opening = "../league/empty";
   job.robot = "/league/none.yaml";
   job.plugins = {"plugins", "/elsewhere"};
-  const Job here = copies.job(job, "/league");
+  const Job here = in_copies(job, copies.root(), "/league");
   const fs::path folder = copies.folder("/league");
   EXPECT_EQ(here.teams[0], "teams/a.yaml");
   EXPECT_EQ(content(folder / here.teams[0]), "extends: ../base.yaml");
@@ -63,7 +63,7 @@ TEST(DocumentCopies, EveryDocumentOfAMatchIsACopy) {
     documents.push_back({path, "text of " + path});
   }
   const DocumentCopies copies(documents);
-  job = copies.job(job, "/");
+  job = in_copies(job, copies.root(), "/");
   for (const auto& [path, name] : names) EXPECT_EQ(content(*name), "text of " + path);
 }
 
@@ -80,7 +80,7 @@ TEST(DocumentCopies, OfSharedObjectsThePathAlone) {
   Job job;
   job.teams = {object.string(), text.string()};
   const DocumentCopies copies(found);
-  const Job here = copies.job(job, "/");
+  const Job here = in_copies(job, copies.root(), "/");
   EXPECT_TRUE(fs::equivalent(here.teams[0], object));
   EXPECT_FALSE(fs::equivalent(here.teams[1], text));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "campaign/match_inputs.hpp"
+#include "campaign/match_setup.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

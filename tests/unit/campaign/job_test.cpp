@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "campaign/job.hpp"
 #include "campaign/match_encoding.hpp"
-#include "campaign/match_setup.hpp"
 
 #include <gtest/gtest.h>
 
@@ -35,18 +34,6 @@ TEST(Job, SurvivesTheWayToAWorker) {
     job.look = each;
     EXPECT_EQ(job_from_json(to_json(job)).look, each);
   }
-}
-
-// What is asked for and what a worker plays are the same match.
-TEST(Job, SurvivesTheWayToARequestAndBack) {
-  Job job = some_job();
-  job.robot = "robot.yaml";
-  job.disturbance = "both.yaml";
-  job.home_disturbance = "home.yaml";
-  job.away_disturbance = "away.yaml";
-  Job expected = job;  // what is in the files is no part of a request
-  expected.home_inputs = expected.away_inputs = expected.common_inputs = {};
-  EXPECT_EQ(job_of(request_of(job), job.plugins), expected);
 }
 
 TEST(Job, IsACommandLineOfMatch) {

@@ -25,10 +25,10 @@ TEST(Seed, RefusesEverythingElse) {
 TEST(MatchSetup, LimitsAreSecondsAboveZero) {
   const plugin::Catalogue none({});
   for (const char* text : {"0", "-1", "nan", "inf", "1e400", "10s", " 1", "1000001"}) {
-    MatchRequest request;
-    request.teams = {"a.yaml", "b.yaml"};
-    request.limit = text;
-    EXPECT_THROW(match_setup(request, none), config::BadInput) << text;
+    Job job;
+    job.teams = {"a.yaml", "b.yaml"};
+    job.limit = text;
+    EXPECT_THROW(match_setup(job, none), config::BadInput) << text;
   }
 }
 

@@ -50,7 +50,7 @@ TEST_F(Parts, AreTakenOverAndRemovedAlsoOfTasksThatWereKilled) {
   part({1, 0}, 1);
   part({1, 12}, 2, false);
   EXPECT_EQ(task_progress(study).size(), 2u);
-  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too);
   EXPECT_EQ(out.rows, 2u);
   EXPECT_THAT(out.remarks, IsEmpty());
   EXPECT_THAT(names(study.parts()), IsEmpty());
@@ -61,27 +61,26 @@ TEST_F(Parts, AreTakenOverAndRemovedAlsoOfTasksThatWereKilled) {
 TEST_F(Parts, ThatATaskMayGoOnWithStayWithIt) {
   part({1, 0}, 1, false);
   part({1, 1}, 2);
-  EXPECT_EQ(gather(study, *results, Tasks::ended, "1.0").rows, 1u);
+  EXPECT_EQ(gather(study, *results, Tasks::ended).rows, 1u);
   EXPECT_THAT(names(study.parts()), testing::UnorderedElementsAre("1-0.db.part", "1-0.txt"));
 }
 
 TEST_F(Parts, OfATaskThatPlaysStayWithIt) {
   const Store playing = part({1, 0}, 1, false);
-  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
-  EXPECT_EQ(out.in_use, 1u);
+  const Gathered out = gather(study, *results, Tasks::killed_too);
   EXPECT_EQ(out.rows, 0u);
   EXPECT_EQ(task_progress(study).size(), 1u);
   EXPECT_TRUE(std::filesystem::exists(study.under_way({1, 0})));
   ASSERT_EQ(out.remarks.size(), 1u);
   EXPECT_EQ(out.remarks[0], "1-0.db.part: a task that should have ended still holds it; it is taken later");
-  EXPECT_TRUE(gather(study, *results, Tasks::ended, "1.0").remarks.empty());
+  EXPECT_TRUE(gather(study, *results, Tasks::ended).remarks.empty());
 }
 
 TEST_F(Parts, ThatAreNoneAreSetAsideAndNamed) {
   std::ofstream(study.part({1, 0})) << "nothing of ours";
   part({1, 1}, 1).set_meta("schedule", "of another study");
   part({1, 2}, 2);
-  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too);
   EXPECT_EQ(out.rows, 1u);
   EXPECT_EQ(out.refused, 1u);
   ASSERT_EQ(out.remarks.size(), 2u);
@@ -93,10 +92,10 @@ TEST_F(Parts, ThatAreNoneAreSetAsideAndNamed) {
 TEST_F(Parts, NodesThatRefuseAreNamedOnce) {
   write_refusal(study, {1, 0}, "node7", "its program is another");
   write_refusal(study, {1, 1}, "node7", "its program is another");
-  const Gathered out = gather(study, *results, Tasks::killed_too, "1.0");
+  const Gathered out = gather(study, *results, Tasks::killed_too);
   EXPECT_THAT(out.refused_nodes, ElementsAre("node7"));
   EXPECT_EQ(out.remarks.front(), "node node7 plays nothing: its program is another");
-  EXPECT_THAT(gather(study, *results, Tasks::killed_too, "1.0").remarks, IsEmpty());
+  EXPECT_THAT(gather(study, *results, Tasks::killed_too).remarks, IsEmpty());
 }
 
 TEST_F(Parts, TheCourseOfATaskComesBackFromItsFile) {

@@ -48,7 +48,7 @@ TEST(Encode, RecordsAsTheSpecificationLaysThemOut) {
             "\x05\x18\0\0\0\0\0\0\0"
             "\x03\0\x01\x02\x03\x04\x01\x02\x03\x04\x05\x06\x07\x08\x01\0\0\0\0\0\0\0{}"s);
   bytes.clear();
-  append_message_index(bytes, ChannelId{3}, {{5, 6}});
+  append_fields(bytes, Opcode::message_index, ChannelId{3}, std::vector<MessagePlace>{{5, 6}});
   EXPECT_EQ(bytes,
             "\x07\x16\0\0\0\0\0\0\0"
             "\x03\0\x10\0\0\0\x05\0\0\0\0\0\0\0\x06\0\0\0\0\0\0\0"s);

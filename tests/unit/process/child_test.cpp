@@ -21,7 +21,6 @@
 
 #include "process/file_descriptor.hpp"
 #include "process/sanitized.hpp"
-#include "process/watch.hpp"
 
 namespace regista::process {
 namespace {

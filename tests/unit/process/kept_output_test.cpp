@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compared with the whole text, cut by hand.
-#include "process/watch.hpp"
+#include "process/child.hpp"
 
 #include <gtest/gtest.h>
 
