@@ -13,7 +13,6 @@
 
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 
@@ -28,7 +27,7 @@ struct Operation {
   float x, y, turn;
 };
 
-struct PhysicsLog {  // the recording of a match for Replay
+struct PhysicsLog {  // the recording of a match for replay(), from before its first step
   config::FieldSize field;
   config::BallSize ball;
   std::vector<config::Body> robots;
@@ -87,32 +86,15 @@ class PhysicsWorld {
   // Appends all further operations to `log`, which the caller owns. Null: records nothing.
   void record(PhysicsLog* log);
 
-  // Applies the recorded operations of one step and simulates the step. Does not update contacts() and states().
-  void replay_step(std::span<const Operation> operations);
-  void observe();  // updates states() after replay_step()
+  // Replays the physics of a recorded match, without minds and rules. Benchmarks compare the times of match and replay.
+  // The world must be new and made as for the match. Then states() is as after the match, only the ball is faster, by
+  // half a step's friction. contacts() has no meaning.
+  void replay(const PhysicsLog& log);
 
  private:
   struct World;
   std::unique_ptr<World> world_;
   std::span<const BodyState> states_;  // memory in world_
-};
-
-// Replays the physics of a recorded match, without minds and rules. Benchmarks compare the times of match and replay.
-class Replay {
- public:
-  // The caller owns `log`, which must outlive the replay. Recording must have begun before the first step of the match.
-  explicit Replay(const PhysicsLog& log);
-
-  std::size_t steps() const { return log_.step_ends.size(); }
-  bool step();  // replays one physics step; false at the end of the log
-  void run();   // replays all remaining steps
-  // The states after the last replayed step, as in the match. Only the ball is faster, by half a step's friction.
-  std::span<const BodyState> states();
-
- private:
-  const PhysicsLog& log_;
-  PhysicsWorld arena_;
-  std::size_t next_ = 0, done_ = 0;
 };
 
 }  // namespace regista::match
