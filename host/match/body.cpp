@@ -14,14 +14,14 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 mind::Walk within_limits(const mind::Walk& wanted, const config::Walk& limits) {
   const auto share = [](double value, double limit) { return limit > 0.0 ? value / limit : 0.0; };
-  const double x = share(wanted.forward, wanted.forward >= 0.0 ? limits.forward : limits.backward);
+  const double along = wanted.forward >= 0.0 ? limits.forward : limits.backward;
+  const double x = share(wanted.forward, along);
   const double y = share(wanted.sideways, limits.sideways);
   const double z = share(wanted.turn, limits.turn);
   const double size = x * x + y * y + z * z;
   const double scale = size > 1.0 ? 1.0 / std::sqrt(size) : 1.0;
   const auto scaled = [scale](double value, double limit) { return limit > 0.0 ? scale * value : 0.0; };
-  return {scaled(wanted.forward, wanted.forward >= 0.0 ? limits.forward : limits.backward),
-          scaled(wanted.sideways, limits.sideways), scaled(wanted.turn, limits.turn)};
+  return {scaled(wanted.forward, along), scaled(wanted.sideways, limits.sideways), scaled(wanted.turn, limits.turn)};
 }
 
 double speed_for_distance(double distance, double rolling_deceleration) {

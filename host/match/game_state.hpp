@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "config/rules.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 

@@ -136,7 +136,7 @@ CoordinationMetrics RoleMeasures::result(double end) const {
   CoordinationMetrics out;
   for (std::size_t role = 0; role < roles_.size(); ++role) {
     const Count &all = now_.roles[role], &early = before.roles[role];
-    RoleMetrics metrics{roles_[role].name, roles_[role].list, told(all, {}), told(early, {}), told(all, early), {}};
+    RoleMetrics metrics{told(all, {}), told(early, {}), told(all, early), {}};
     for (int robot = 0; robot < team_size_; ++robot) {
       metrics.robot_seconds.push_back(seconds(robot_samples_[role * at(team_size_) + at(robot)]));
     }

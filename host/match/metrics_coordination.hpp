@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -49,7 +48,6 @@ struct RoleMetrics {
     double overlap_seconds = 0.0, uncovered_seconds = 0.0, unplayed_seconds = 0.0;
     int switches = 0;
   };
-  std::string name, list;
   Counts all, before_silence, after_silence;  // counts of the whole match, before the team's silence and during it
   std::vector<double> robot_seconds;          // by robot (n - 1): time in this role, s
 };

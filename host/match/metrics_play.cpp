@@ -247,29 +247,21 @@ PlayMetrics PlayMeasures::result(Side side) const {
   return out;
 }
 
-namespace {
-
-double way_in(double time, const config::Robot& robot) { return robot.body.radius + time * robot.walk.forward; }
-
-}  // namespace
-
 BallMeasures::BallMeasures(int team_size, const std::array<config::Robot, 2>& robots)
-    : roster_{team_size},
-      within_reach_{way_in(soon, robots[0]), way_in(soon, robots[1])},
-      decisions_(at(roster_.count())) {}
+    : roster_{team_size}, decisions_(at(roster_.count())) {
+  for (std::size_t i = 0; i < 2; ++i) within_reach_[i] = robots[i].body.radius + soon * robots[i].walk.forward;
+}
 
 bool BallMeasures::Decision::goes_for(const Vector& ball) const {
   return plays || kicks || (target && squared_length(*target - ball) <= for_the_ball * for_the_ball);
 }
 
 RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
-  RobotSet out = 0;
-  for (int id = 0; id < roster_.count(); ++id) {
+  return those(able & roster_.everybody(), [&](int id) {
     const Side side = roster_.side(id);
-    if (!contains(able, id) || state.is_penalised(side, roster_.number(id))) continue;
-    if (decisions_[at(id)].goes_for(attack(side, state.half) * Vector{ball.x, ball.y})) out |= only(id);
-  }
-  return out;
+    return !state.is_penalised(side, roster_.number(id)) &&
+           decisions_[at(id)].goes_for(attack(side, state.half) * Vector{ball.x, ball.y});
+  });
 }
 
 void BallMeasures::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {

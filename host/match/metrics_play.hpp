@@ -15,7 +15,6 @@
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
 #include "match/physics_world.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {

@@ -20,7 +20,6 @@
 
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {

@@ -84,11 +84,6 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
   state_.packets_left.fill(config::packets(rules_.messages));
 }
 
-RobotSet Referee::playing() const {
-  const RobotSet everybody = (RobotSet{1} << roster_.count()) - 1;
-  return everybody & ~box_.inside();
-}
-
 // Returns whether `duration` has passed since `moment`. The tolerance exists because sums of steps are not exact.
 bool Referee::since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
 

@@ -29,7 +29,6 @@
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
 #include "match/offence_watch.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -141,7 +140,7 @@ class Referee {
   }
   void note(EventKind kind, Side side, int number = 0, Offence offence = Offence::none);
   bool plays(int id) const { return !contains(box_.inside(), id); }
-  RobotSet playing() const;
+  RobotSet playing() const { return roster_.everybody() & ~box_.inside(); }
   bool since(double moment, double duration) const;
   bool on_goal_line(int id) const;
   double direction(Side side) const { return attack(side, state_.half); }

@@ -80,7 +80,7 @@ void Sensing::tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t 
   const double sign = mirrored_ ? -1.0 : 1.0;
   pose.x += sign * bias.x + odometry.placing_noise * chance.normal();
   pose.y += sign * bias.y + odometry.placing_noise * chance.normal();
-  pose.heading = wrapped(pose.heading + bias.heading + odometry.placing_turn_noise * chance.normal());
+  pose.heading = mind::wrap(pose.heading + bias.heading + odometry.placing_turn_noise * chance.normal());
   placed_ = mind::PlacedPose{pose, odometry.placing_noise, odometry.placing_turn_noise};
 }
 

@@ -21,7 +21,6 @@
 #include "match/chance.hpp"
 #include "match/disturbances.hpp"
 #include "match/physics_world.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 

@@ -36,7 +36,7 @@ struct ToWorld {
     json.open('[').number(direction * xy[0], 2).number(direction * xy[1], 2).close(']');
   }
   void pose(JsonText& json, const double (&pose)[3]) const {
-    const double turned = direction > 0.0 ? pose[2] : match::wrapped(pose[2] + std::numbers::pi);
+    const double turned = direction > 0.0 ? pose[2] : mind::wrap(pose[2] + std::numbers::pi);
     json.open('[').number(direction * pose[0], 2).number(direction * pose[1], 2).number(turned, 2).close(']');
   }
 };
@@ -429,7 +429,7 @@ void MatchRecording::stepped(const match::Snapshot& snapshot) {
     json.key(side == 0 ? "home" : "away").open('[');
     for (std::size_t i = 0; i < team_size; ++i) {
       const match::BodyState& body = snapshot.bodies[side * team_size + i];
-      json.open('[').number(body.x).number(body.y).number(match::wrapped(body.heading)).close(']');
+      json.open('[').number(body.x).number(body.y).number(mind::wrap(body.heading)).close(']');
     }
     json.close(']');
   }

@@ -88,12 +88,21 @@ std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLi
 
 // Counts for the metrics of a match. An accepted offer is later sent or dropped, or is still waiting.
 struct SegmentCounts {
-  std::uint32_t offered = 0;  // accepted offers
-  std::uint32_t refused = 0;  // offers that the host refused
-  std::uint32_t sent = 0;     // segments that were sent in a packet
-  std::uint32_t dropped = 0;  // offers that expired, were replaced or were withdrawn
-  std::uint32_t heard = 0;    // segments of teammates that a plugin received
-  std::uint32_t bytes = 0;    // bytes of the sent segments, with headings
+  std::int64_t offered = 0;  // accepted offers
+  std::int64_t refused = 0;  // offers that the host refused
+  std::int64_t sent = 0;     // segments that were sent in a packet
+  std::int64_t dropped = 0;  // offers that expired, were replaced or were withdrawn
+  std::int64_t heard = 0;    // segments of teammates that a plugin received
+  std::int64_t bytes = 0;    // bytes of the sent segments, with headings
+
+  void operator+=(const SegmentCounts& more) {
+    offered += more.offered;
+    refused += more.refused;
+    sent += more.sent;
+    dropped += more.dropped;
+    heard += more.heard;
+    bytes += more.bytes;
+  }
 };
 
 struct SegmentEvent {
