@@ -19,10 +19,7 @@ void tell(const Decision& decision, Outcome& out) {
   out.role = decision.own_role;
   out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
   out.context = decision.context;
-  out.kept.clear();
   for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
-  out.target.reset();
-  out.announced.reset();
   if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
 }
 
@@ -63,7 +60,6 @@ struct Mind::Impl {
   regista_budget budget() const;
   Report report(const Percepts& percepts) const;
   void say_receiver(Command& command);
-  void hand_over_metrics(Outcome& out);
 
   const TeamPlan& plan;
   FrameParts made;
@@ -99,7 +95,7 @@ Mind& Mind::operator=(Mind&&) noexcept = default;
 const Decision& Mind::decision() const { return parts_->coordination.decision(); }
 const WorldModel& Mind::world() const { return parts_->world; }
 std::span<const regista_event> Mind::events() const { return parts_->events; }
-std::span<const SegmentEvent> Mind::segments() const { return std::as_const(parts_->mailboxes).journal(); }
+std::span<const SegmentEvent> Mind::segments() const { return parts_->mailboxes.journal(); }
 std::span<const LogLine> Mind::log() const { return parts_->extensions.log().lines(); }
 std::span<const DrawnShape> Mind::drawings() const { return parts_->extensions.drawings().shapes(); }
 int Mind::number() const { return parts_->number; }
@@ -109,6 +105,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   Impl& parts = *parts_;
   const double dt = parts.first ? 0.0 : percepts.time - parts.now;
   assert(dt >= 0.0);
+  out.clear();
   parts.now = percepts.time;
   parts.game = percepts.game;
   parts.caller.begin_decision();
@@ -126,7 +123,10 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   tell(decision, out);
   if (parts.told_target) out.announced = Target{parts.told_target->x(), parts.told_target->y()};
   out.segments = parts.mailboxes.take_counts();
-  parts.hand_over_metrics(out);
+  parts.extensions.metrics().take(out.metrics);
+  if (const auto& wrong = parts.extensions.metrics().violation()) {
+    throw plugin::Failure(*wrong->plugin, &parts.caller, "metric", wrong->what);
+  }
   parts.extensions.mute(true);
   parts.mailboxes.complete_journal();
   parts.extensions.mute(false);
@@ -145,13 +145,6 @@ void Mind::Impl::say_receiver(Command& command) {
                               std::to_string(number));
   }
   command.kick->receiver = pass->receiver;
-}
-
-void Mind::Impl::hand_over_metrics(Outcome& out) {
-  extensions.metrics().take(out.metrics);
-  if (const auto& wrong = extensions.metrics().violation()) {
-    throw plugin::Failure(*wrong->plugin, &caller, "metric", wrong->what);
-  }
 }
 
 void Mind::Impl::listen_to(const HeardPacket& packet) {
@@ -241,8 +234,6 @@ void Mind::Impl::decide_to_send(const Percepts& percepts, Outcome& out) {
   const bool searching = decision.own_role >= 0 && (plan.purposes(decision.own_role) & REGISTA_BEHAVIOUR_SEARCHES) != 0;
   detector.detect(percepts, world, decision, searching, events);
 
-  out.send = false;
-  out.packet.clear();
   const Phase phase = percepts.game.phase;
   const bool may_send = phase == Phase::ready || phase == Phase::set || phase == Phase::playing;
   if (!may_send || percepts.penalised || decision.context < 0) return;
@@ -294,22 +285,16 @@ Report Mind::Impl::report(const Percepts& percepts) const {
                                ball.age};
   }
   // Chooses the five opponents that were seen last; of two opponents with equal age, the likelier one.
-  std::array<const regista_track*, Report::most_opponents> chosen{};
-  const auto younger = [](const regista_track* a, const regista_track* b) {
-    if (a->age != b->age) return a->age < b->age;
-    return a->weight != b->weight ? a->weight > b->weight : a->label < b->label;
+  std::array<regista_track, Report::most_opponents> youngest;
+  const auto younger = [](const regista_track& a, const regista_track& b) {
+    if (a.age != b.age) return a.age < b.age;
+    return a.weight != b.weight ? a.weight > b.weight : a.label < b.label;
   };
-  for (const regista_track& track : world.local().opponents()) {
-    if (track.age > Report::tells_opponents_for) continue;
-    const regista_track* candidate = &track;
-    for (std::size_t i = 0; i < chosen.size() && candidate != nullptr; ++i) {
-      if (chosen[i] == nullptr || younger(candidate, chosen[i])) std::swap(chosen[i], candidate);
-    }
-  }
-  for (const regista_track* track : chosen) {
-    if (track == nullptr) break;
+  const auto end = std::ranges::partial_sort_copy(world.local().opponents(), youngest, younger).out;
+  for (const regista_track& track : std::span(youngest.begin(), end)) {
+    if (track.age > Report::tells_opponents_for) break;
     report.opponents[report.opponent_count++] = {
-        {track->x, track->y}, std::sqrt(0.5 * (track->covariance[0] + track->covariance[2])), track->age};
+        {track.x, track.y}, std::sqrt(0.5 * (track.covariance[0] + track.covariance[2])), track.age};
   }
   return report;
 }

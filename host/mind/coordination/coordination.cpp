@@ -75,41 +75,17 @@ constexpr int goalkeeper = 1;                 // shirt number; the rules number 
 
 NamedPoints::NamedPoints(const config::FieldSize& field, double rolling_deceleration,
                          const DistributedWorldModel& world)
-    : field_(&field), ball_known_(world.ball_known()), ball_(world.ball()), ball_rest_(ball_) {
-  const Vector2d velocity = world.ball_velocity();
-  ball_rest_ += velocity * (velocity.norm() / (2.0 * rolling_deceleration));
+    : ball_known_(world.ball_known()) {
+  const Vector2d ball = world.ball(), velocity = world.ball_velocity();
+  const Vector2d rolled = ball + velocity * (velocity.norm() / (2.0 * rolling_deceleration));
   // A ball that leaves the field is put back on the line.
   const Vector2d corner(field.length / 2.0, field.width / 2.0);
-  ball_rest_ = ball_rest_.cwiseMin(corner).cwiseMax(-corner);
-}
-
-Vector2d NamedPoints::at(const config::Place& place) const {
-  using enum config::Anchor;
-  const double goal = field_->length / 2.0, mark = goal - field_->penalty_mark_distance,
-               post = field_->goal_width / 2.0;
-  switch (place.anchor) {
-    case ball:
-      return ball_;
-    case ball_rest:
-      return ball_rest_;
-    case own_goal:
-      return {-goal, 0.0};
-    case opponent_goal:
-      return {goal, 0.0};
-    case own_left_post:
-      return {-goal, post};
-    case own_right_post:
-      return {-goal, -post};
-    case centre:
-      return {0.0, 0.0};
-    case own_penalty_mark:
-      return {-mark, 0.0};
-    case opponent_penalty_mark:
-      return {mark, 0.0};
-    case point:
-      return {place.point[0], place.point[1]};
-  }
-  return {0.0, 0.0};
+  const Vector2d rest = rolled.cwiseMin(corner).cwiseMax(-corner);
+  const double goal = field.length / 2.0, mark = goal - field.penalty_mark_distance, post = field.goal_width / 2.0;
+  const auto at = [](double x, double y) { return Vector2d(x, y); };
+  // In the order of config::Anchor: ball, ball at rest, goals, own posts, centre, penalty marks.
+  anchors_ = {ball,         rest,           at(-goal, 0.0), at(goal, 0.0), at(-goal, post), at(-goal, -post),
+              at(0.0, 0.0), at(-mark, 0.0), at(mark, 0.0)};
 }
 
 Vector2d target_of(const config::TargetRule& rule, const NamedPoints& points) {

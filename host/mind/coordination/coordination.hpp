@@ -4,6 +4,7 @@
 // pipeline. Each step fills some members of Decision.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,12 +30,14 @@ class NamedPoints {
   // `rolling_deceleration`: deceleration of the rolling ball, m/s^2; gives the point where the ball will come to rest.
   NamedPoints(const config::FieldSize& field, double rolling_deceleration, const DistributedWorldModel& world);
   bool ball_known() const { return ball_known_; }
-  Vector2d at(const config::Place& place) const;
+  Vector2d at(const config::Place& place) const {
+    if (place.anchor == config::Anchor::point) return {place.point[0], place.point[1]};
+    return anchors_[static_cast<std::size_t>(place.anchor)];
+  }
 
  private:
-  const config::FieldSize* field_;
   bool ball_known_;
-  Vector2d ball_, ball_rest_;
+  std::array<Vector2d, static_cast<std::size_t>(config::Anchor::point)> anchors_;
 };
 
 // Returns the position that a rule of the team's document gives to a task.

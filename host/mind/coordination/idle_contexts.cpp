@@ -184,7 +184,10 @@ class SyntheticGame {
 class Conditions {
  public:
   Conditions(const TeamPlan& plan, const plugin::Caller& caller)
-      : extensions_(caller), mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
+      : number_(caller.robot),
+        previous_(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK),
+        extensions_(caller),
+        mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
     for (const ContextPlan& each : plan.contexts()) {
       const plugin::Found& found = *each.condition.found;
       const regista_host* const host = mailboxes_.open(&extensions_.open(found, plan.metrics_of(found)));
@@ -197,12 +200,24 @@ class Conditions {
   void reset() {
     for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i]->reset(made_up_seed + i);
   }
-  void ask(const regista_frame& frame, std::vector<char>& out) {
+  // Asks which conditions hold. context: index of the context in force before; -1: none.
+  void ask(const DistributedWorldModel& world, double time, int tick, int context, std::vector<char>& out) {
+    regista_frame frame{};
+    frame.size = sizeof frame;
+    frame.own_number = number_;
+    frame.tick = static_cast<std::uint64_t>(tick);
+    frame.time = time;
+    frame.mine = frame.common = &world.raw;
+    frame.knowledge = REGISTA_MINE;
+    frame.previous = abi_span(previous_);
+    frame.context = context;
     out.clear();
     for (plugin::Context& each : conditions_) out.push_back(each.holds(frame) ? 1 : 0);
   }
 
  private:
+  int number_;
+  std::vector<std::int32_t> previous_;  // the robots had no tasks before
   Extensions extensions_;
   Mailboxes mailboxes_;
   std::vector<std::shared_ptr<plugin::Instance>> instances_;
@@ -222,12 +237,10 @@ bool occurs(int set_play, int phase) {
 // otherwise.
 SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, int own, Dice& dice) {
   constexpr int scenes = 16;
-  const int team_size = plan.rules().team_size;
   SetPlayContexts out{};
   std::vector<char> holds;
-  const std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
   for (int scene = 0; scene < scenes; ++scene) {
-    DistributedWorldModel world(team_size);
+    DistributedWorldModel world(plan.rules().team_size);
     make_up(world, plan, 0, scene, dice.real(0.0, plan.rules().durations.half), own, 0, dice);
     world.close();
     regista_game& game = world.game;
@@ -236,16 +249,8 @@ SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, i
       game.phase = phase;
       game.own_kick = own_kick ? 1 : 0;
       game.phase_time = 1.0;
-      regista_frame frame{};
-      frame.size = sizeof frame;
-      frame.own_number = own;
-      frame.time = 100.0 + scene;
-      frame.mine = frame.common = &world.raw;
-      frame.knowledge = REGISTA_MINE;
-      frame.previous = abi_span(previous);
-      frame.context = -1;
       robot.reset();
-      robot.ask(frame, holds);
+      robot.ask(world, 100.0 + scene, 0, -1, holds);
       return std::ranges::find(holds, 1) - holds.begin();
     };
     for (const bool own_kick : {false, true}) {
@@ -278,7 +283,6 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing)
   out.contexts.resize(count);
   std::vector<std::vector<char>> covers(count, std::vector<char>(count, 1));  // [j][i]: i held whenever j held
   std::vector<char> holds;
-  std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
   for (int c = 0; c < games; ++c) {
     const int own = 1 + c % team_size;
     Conditions& robot = *robots[static_cast<std::size_t>(own - 1)];
@@ -288,16 +292,7 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing)
     for (int moment = 0; moment < moments; ++moment) {
       DistributedWorldModel world(team_size);
       game.moment(moment, world);
-      regista_frame frame{};
-      frame.size = sizeof frame;
-      frame.own_number = own;
-      frame.tick = static_cast<std::uint64_t>(moment);
-      frame.time = game.time(moment);
-      frame.mine = frame.common = &world.raw;
-      frame.knowledge = REGISTA_MINE;
-      frame.previous = abi_span(previous);
-      frame.context = in_force;
-      robot.ask(frame, holds);
+      robot.ask(world, game.time(moment), moment, in_force, holds);
       ++out.scenes;
       const auto first = std::ranges::find(holds, 1);
       in_force = first == holds.end() ? -1 : static_cast<int>(first - holds.begin());

@@ -193,8 +193,7 @@ void WaypointMatching::match(std::span<const regista_task> tasks, std::span<cons
     for (const std::size_t column : columns) {
       const regista_task& task = tasks[by_task ? row : column];
       const regista_waypoint& point = waypoints[by_task ? column : row];
-      const double dx = point.x - task.before[0], dy = point.y - task.before[1];
-      costs_.push_back(std::sqrt(dx * dx + dy * dy));
+      costs_.push_back(std::sqrt(distance2(point, task.before[0], task.before[1])));
     }
   }
   assignment_.solve(costs_, rows.size(), columns.size());

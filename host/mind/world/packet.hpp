@@ -2,8 +2,7 @@
 // Report is the content of a packet from one robot to its teammates (the paper's received event e). encode() and
 // decode() convert a Report to and from bytes. The core takes 24 bytes, the ball 11 and each opponent 4. Numbers are in
 // fixed point, little endian, so that all robots read equal numbers. The rest of a packet is for segments of plugins
-// (mailbox). SegmentJournal records what happens to segments. The fields below are written as NAME UNIT:BITS; flags and
-// deviations (cm; 0.01 rad) have one byte each.
+// (mailbox). The fields below are written as NAME UNIT:BITS; flags and deviations (cm; 0.01 rad) have one byte each.
 //
 // core:     version:3 sender:5 | flags | time ms:24 | x y mm:16 | heading:16 | deviations | vx vy cm/s:8 | target mm:16
 //           | role:8 | role since ds:16 (at most 109 min) | context:8 | time until up ds:8
@@ -17,7 +16,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mind/geometry.hpp"
@@ -84,7 +82,8 @@ std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const Pac
 // Reads the report and the segments (views into `bytes`). Returns nothing if `bytes` is not a packet of this team.
 std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLimits&, std::vector<Segment>& segments);
 
-// --- What happens to the segments of one robot's plugins. A mind keeps a journal for recorders; no decision uses it.
+// --- What happens to the segments of one robot's plugins. Mailboxes keeps a journal for recorders; no decision uses
+// it.
 
 // Counts for the metrics of a match. An accepted offer is later sent or dropped, or is still waiting.
 struct SegmentCounts {
@@ -158,30 +157,5 @@ inline const char* word(SegmentEvent::Why why) {
                              "replaced", "withdrawn", "unknown_place", "no_mailbox",      "wrong_length"};
   return words[static_cast<std::size_t>(why)];
 }
-
-class SegmentJournal {
- public:
-  // Begins a decision and drops the events of the last decision. The first call drops no events: events during the
-  // creation of plugins belong to the first decision.
-  void begin() {
-    if (std::exchange(begun_, true)) events_.clear();
-  }
-  // Returns whether further events of this decision are left out, because a plugin may make any number of offers.
-  bool full() const { return events_.size() >= 1024; }
-  SegmentEvent& add(SegmentEvent::Kind kind, SegmentEvent::Why why, double time, int place) {
-    SegmentEvent& event = events_.emplace_back();
-    event.kind = kind;
-    event.why = why;
-    event.time = time;
-    event.place = place;
-    return event;
-  }
-  std::span<SegmentEvent> events() { return events_; }
-  std::span<const SegmentEvent> events() const { return events_; }
-
- private:
-  std::vector<SegmentEvent> events_;
-  bool begun_ = false;
-};
 
 }  // namespace regista::mind
