@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <regista/testkit/checks.hpp>
+
 #include "check/given_values.hpp"
 #include "check/isolation.hpp"
 
@@ -31,6 +33,10 @@ struct Elsewhere {
 
 // Returns the environment for the program that plays the scenario, each variable as "NAME=VALUE".
 std::vector<std::string> environment_elsewhere();
+
+// Returns options of the testkit that give the plugin its values, and write to `note` what is checked. All arguments
+// must outlive the options.
+testkit::Options options_with(std::uint64_t seed, const GivenValues& given, const std::string& plugin, Underway& note);
 
 // Plays the scenario. The outcome's only line is a hash of all answers. Changes the working folder and draws from
 // rand().

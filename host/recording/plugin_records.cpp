@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "match/game_state.hpp"
 
@@ -18,13 +18,6 @@ using Kind = mind::SegmentEvent::Kind;
 std::int64_t milliseconds(double seconds) { return std::llround(seconds * 1e3); }
 
 std::string hexadecimal(const std::vector<std::uint8_t>& bytes) { return fmt::format("{:02x}", fmt::join(bytes, "")); }
-
-// Returns the entry of the robot with this number; adds missing entries.
-template <class T>
-T& of_robot(std::vector<T>& robots, int number) {
-  if (robots.size() < static_cast<std::size_t>(number)) robots.resize(static_cast<std::size_t>(number));
-  return robots[static_cast<std::size_t>(number - 1)];
-}
 
 constexpr std::string_view nothing = "[]";
 constexpr double period = 0.5;  // s
@@ -64,20 +57,13 @@ void LastDecision::take(const mind::Decision& decision) {
 }
 
 std::uint64_t SentSegments::follow(match::Side side, int robot, const mind::SegmentEvent& event) {
-  if (event.kind == Kind::sent) {
-    of_robot(sent_[match::index(side)], robot).push_back({milliseconds(event.time), event.at, event.handle});
-  }
-  return event.kind == Kind::heard || event.kind == Kind::undelivered ? handle(side, event) : event.handle;
-}
-
-std::uint64_t SentSegments::handle(match::Side side, const mind::SegmentEvent& heard) const {
-  const std::vector<std::vector<Sent>>& robots = sent_[match::index(side)];
-  if (heard.sender < 1 || robots.size() < static_cast<std::size_t>(heard.sender)) return 0;
-  const std::vector<Sent>& own = robots[static_cast<std::size_t>(heard.sender - 1)];
+  if (event.kind == Kind::sent) sent_[{side, robot}].push_back({milliseconds(event.time), event.at, event.handle});
+  if (event.kind != Kind::heard && event.kind != Kind::undelivered) return event.handle;
+  const std::vector<Sent>& of_sender = sent_[{side, event.sender}];
   const auto key = [](const Sent& each) { return std::pair(each.milliseconds, each.at); };
-  const std::pair wanted(milliseconds(heard.time_sent), heard.at);
-  const auto found = std::ranges::lower_bound(own, wanted, {}, key);
-  return found != own.end() && key(*found) == wanted ? found->handle : 0;
+  const std::pair wanted(milliseconds(event.time_sent), event.at);
+  const auto found = std::ranges::lower_bound(of_sender, wanted, {}, key);
+  return found != of_sender.end() && key(*found) == wanted ? found->handle : 0;
 }
 
 void write(texts::JsonText& json, const SegmentRecord& record) {
@@ -117,7 +103,7 @@ std::size_t DrawnLayers::layer(std::vector<Layer>& of_robot, const mind::DrawnSh
 std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot, double time,
                                                          std::span<const mind::DrawnShape> shapes, double direction) {
   changes_.clear();
-  std::vector<Layer>& own = of_robot(layers_[match::index(side)], robot);
+  std::vector<Layer>& own = layers_[{side, robot}];
   layer_of_.clear();
   for (const mind::DrawnShape& shape : shapes) layer_of_.push_back(layer(own, shape));
   for (std::size_t i = 0; i < own.size(); ++i) {

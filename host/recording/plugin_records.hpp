@@ -3,12 +3,13 @@
 // offered for packets, and the last recorded drawings of its plugins.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "match/side.hpp"
@@ -40,14 +41,12 @@ class SentSegments {
   std::uint64_t follow(match::Side side, int robot, const mind::SegmentEvent& event);
 
  private:
-  std::uint64_t handle(match::Side side, const mind::SegmentEvent& heard) const;
-
   struct Sent {
     std::int64_t milliseconds;  // ms; time of sending, as precise as in packets
     int at;                     // index of the segment in its packet
     std::uint64_t handle;
   };
-  std::array<std::vector<std::vector<Sent>>, 2> sent_;  // by side and number - 1
+  std::map<std::pair<match::Side, int>, std::vector<Sent>> sent_;  // by side and number
 };
 
 struct SegmentRecord {
@@ -85,8 +84,8 @@ class DrawnLayers {
   };
   static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
 
-  std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and number - 1
-  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the current call
+  std::map<std::pair<match::Side, int>, std::vector<Layer>> layers_;  // by side and number
+  std::vector<std::size_t> layer_of_;  // index of the layer of each shape in the current call
   std::vector<Change> changes_;
   texts::JsonText json_;
 };

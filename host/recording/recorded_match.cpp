@@ -65,12 +65,10 @@ RecordedColour colour(const std::string& text) {
 }
 
 RecordedShape::Kind kind(const std::string& word) {
-  using Kind = RecordedShape::Kind;
-  if (word == "points") return Kind::points;
-  if (word == "line") return Kind::line;
-  if (word == "polygon") return Kind::polygon;
-  require(word == "text");
-  return Kind::text;
+  constexpr std::array words{"points", "line", "polygon", "text"};  // in the order of the enumeration
+  const auto found = std::ranges::find(words, word);
+  require(found != words.end());
+  return static_cast<RecordedShape::Kind>(found - words.begin());
 }
 
 RecordedShape shape(const nlohmann::json& json) {
@@ -122,7 +120,7 @@ std::vector<int> wholes(const nlohmann::json& json) {
 std::array<int, 2> two(const nlohmann::json& json) { return {whole(json.at(0)), whole(json.at(1))}; }
 std::array<std::vector<int>, 2> both(const nlohmann::json& json) { return {wholes(json.at(0)), wholes(json.at(1))}; }
 
-RecordedPose pose(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+mind::Pose pose(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 RecordedCovariance covariance(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
 RecordedTeam team(const nlohmann::json& json) {

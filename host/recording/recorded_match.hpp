@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/rules.hpp"
+#include "mind/percepts.hpp"
 
 namespace regista::recording {
 
@@ -63,10 +64,6 @@ struct RecordedTeam {
   std::vector<RecordedContext> contexts;
 };
 
-struct RecordedPose {
-  double x = 0.0, y = 0.0, heading = 0.0;
-};
-
 // The true state of the game. Arrays are by side. Robot n has index n - 1.
 struct RecordedGame {
   double time = 0.0, clock = 0.0;
@@ -75,7 +72,7 @@ struct RecordedGame {
   std::array<int, 2> score{}, packets_left{};
   std::array<std::vector<int>, 2> penalised, fallen;  // numbers of robots
   std::array<double, 2> ball{};
-  std::array<std::vector<RecordedPose>, 2> robots;
+  std::array<std::vector<mind::Pose>, 2> robots;
   std::array<std::vector<int>, 2> roles;  // row of the table of roles for each robot; -1: no role, -2: not known
 };
 
@@ -85,7 +82,7 @@ struct RecordedCovariance {
 
 struct RecordedTeammate {
   int number = 0, role = -1;
-  RecordedPose pose;
+  mind::Pose pose;
   RecordedCovariance covariance;
   double age = 0.0;
 };
@@ -104,15 +101,15 @@ struct RecordedWorld {
 
 struct RecordedBelief {
   double time = 0.0;
-  RecordedPose pose;
+  mind::Pose pose;
   RecordedWorld mine;
   std::optional<RecordedWorld> common;
 };
 
 struct RecordedTask {
   int role = 0;
-  RecordedPose before;
-  std::optional<RecordedPose> after;  // missing: the task was not kept
+  mind::Pose before;
+  std::optional<mind::Pose> after;  // missing: the task was not kept
 };
 
 using RecordedMatrix = std::vector<std::vector<std::optional<double>>>;  // by row and column; missing: forbidden pair

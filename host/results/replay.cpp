@@ -24,7 +24,6 @@
 #include "mcap/file_io.hpp"
 #include "output/replaced_file.hpp"
 #include "process/file_descriptor.hpp"
-#include "recording/match_page.hpp"
 #include "recording/packed_recording.hpp"
 #include "recording/recorded_match.hpp"
 #include "recording/recording_metadata.hpp"
