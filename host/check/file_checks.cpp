@@ -110,8 +110,8 @@ std::string wrong_with_header(Elf* elf) {
   return {};
 }
 
-// Calls that no sound plugin needs, and the reasons. A plugin gets seeds from reset() and the time from the frame. The
-// process belongs to the host.
+// Calls that no sound plugin needs, and why: seeds come from reset(), time from the frame, and the process is the
+// host's.
 struct Suspects {
   std::string_view why;
   std::array<std::string_view, 12> names;
@@ -153,8 +153,7 @@ std::string_view shown(std::string_view name) {
   return name;
 }
 
-// Libraries of the system, compilers and sanitizers, and libraries that shipped plugins need (for CGAL's exact
-// arithmetic). Names are without the version.
+// Libraries of the system, compilers and sanitizers, and of shipped plugins (CGAL's arithmetic), without the version.
 constexpr std::array<std::string_view, 15> everywhere{"libc",     "libm",    "libstdc++", "libgcc_s",  "libpthread",
                                                       "libdl",    "librt",   "libc++",    "libc++abi", "libasan",
                                                       "libubsan", "libtsan", "liblsan",   "libgmp",    "libmpfr"};

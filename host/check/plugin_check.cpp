@@ -399,7 +399,6 @@ void refuse_unknown(std::string_view what, const std::string& where, const std::
   }
 }
 
-// Throws config::BadInput for a requested name that no file has.
 void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& options) {
   // If a file cannot be opened, refuses nothing, because a name may belong to this file. The file fails anyway.
   if (!std::ranges::all_of(files, &FileCheck::is_open)) return;

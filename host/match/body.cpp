@@ -95,7 +95,6 @@ void Body::fall(double time) {
   }
 }
 
-// The robot begins to get up at `time`. This function draws the number of failed attempts, and so the time of standing.
 void Body::lie(double time) {
   Chance chance(seed_, Purpose::get_up, side_, number_, 0, static_cast<std::uint32_t>(falls_));
   up_at_ = time + profile_.body.get_up;

@@ -60,7 +60,6 @@ std::vector<config::Body> bodies_of(const Setup& setup) {
 
 double largest_radius(const Setup& setup) { return std::max(setup.robots[0].body.radius, setup.robots[1].body.radius); }
 
-// One robot of the match: its mind, body and senses, and its last percepts and outcome.
 struct Robot {
   const mind::Think& think;
   const config::Robot& profile;

@@ -121,8 +121,7 @@ class Metrics {
   void penalised(Side side) { ++result_.teams[index(side)].penalties; }
   void scored(Side side) { play_.scored(side); }  // a goal that counts
   void ball_placed() { play_.ball_placed(); }     // a person puts the ball down
-  // Call after each physics step, before Referee::update(). touched_by: id of the robot that touched the ball; -1:
-  // nobody.
+  // Call after each physics step, before Referee::update(). touched_by: id of the robot that touched the ball, or -1.
   void stepped(const BodyState& ball, int touched_by, const GameState& state);
 
   // Must be called ten times a second. able: robots that stand and have not crashed; penalised robots are ignored.

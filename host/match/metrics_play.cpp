@@ -221,7 +221,6 @@ void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bod
   }
 }
 
-// Whether an able robot of this side is in its own penalty area.
 bool PlayMeasures::keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const {
   for (int number = 1; number <= roster_.team_size; ++number) {
     const int id = roster_.id(side, number);

@@ -26,8 +26,7 @@ class Clearances {
  public:
   explicit Clearances(const config::FieldSize& field) : length_(field.length) {}
 
-  // Robot `id` has kicked the ball. This kick is now the pending kick, which may become a clearance. direction: attack
-  // direction, +1 or -1.
+  // Robot `id` has kicked the ball, which may become a clearance: the pending kick. direction of attack: +1 or -1.
   void kicked(int id, Vector ball, double direction, double time);
   void touched(int id) {
     if (kick_ && kick_->id != id) kick_.reset();
@@ -111,8 +110,7 @@ class PlayMeasures {
   // robot that touched the ball; -1: nobody. half: half of the match, from 1.
   void step(const BodyState& ball, int touched_by, int half);
 
-  // Robot `id` has kicked the ball. Must be called before the step that moves the ball. receiver: shirt number of the
-  // teammate for whom the kick is meant; 0 = nobody.
+  // Robot `id` has kicked the ball, before the step that moves it. receiver: of a meant pass, shirt number; else 0.
   void kicked(int id, int receiver);
   void scored(Side side);  // a goal that counts
   void ball_placed();      // a person puts the ball down, which ends all present plays

@@ -226,8 +226,7 @@ void PhysicsWorld::drive(int robot, Vector velocity, double turn, double acceler
   const BodyState& now = world_->states[at(robot)];
   Vector change{velocity.x - now.vx, velocity.y - now.vy};
   double turn_change = turn - now.turn;
-  // A velocity that the robot already has is not set again, so that Box2D can put a resting robot to sleep. The
-  // comparison is in float, because Box2D stores floats.
+  // A velocity that the robot has (in float, as Box2D stores it) is not set again, so that a resting robot can sleep.
   if (static_cast<float>(velocity.x) == now.vx && static_cast<float>(velocity.y) == now.vy &&
       static_cast<float>(turn) == now.turn) {
     return;

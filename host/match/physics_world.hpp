@@ -57,8 +57,7 @@ struct Contacts {
 
 class PhysicsWorld {
  public:
-  // Creates the bodies of all robots and the ball. The id of a robot is its index in `robots`. A body is at the origin
-  // until place() or place_ball() is called for it.
+  // Creates the bodies of robots and ball, at the origin. The id of a robot is its index in `robots`.
   PhysicsWorld(const config::FieldSize& field, const config::BallSize& ball, std::span<const config::Body> robots);
   ~PhysicsWorld();
   PhysicsWorld(PhysicsWorld&&) noexcept;
@@ -67,9 +66,8 @@ class PhysicsWorld {
   // rad/s^2) limit the change in one step. Must be called for each robot before each step(), or the robot slides on.
   void drive(int robot, Vector velocity, double turn, double acceleration, double turn_acceleration);
 
-  // place() and place_ball() put a body down at rest. kick() sets the ball's velocity. They throw
-  // std::invalid_argument, which names the body, for a pose or velocity that is not finite. Box2D would abort on such a
-  // pose, and would pass on such a velocity to other bodies.
+  // place() and place_ball() put a body down at rest. kick() sets the ball's velocity. For a value that is not finite,
+  // they throw std::invalid_argument, which names the body: Box2D would abort, or pass the value on to other bodies.
   void place(int robot, const mind::Pose& pose);
   void place_ball(Vector position);
   void kick(Vector ball_velocity);
@@ -86,9 +84,8 @@ class PhysicsWorld {
   // Appends all further operations to `log`, which the caller owns. Null: records nothing.
   void record(PhysicsLog* log);
 
-  // Replays the physics of a recorded match, without minds and rules. Benchmarks compare the times of match and replay.
-  // The world must be new and made as for the match. Then states() is as after the match, only the ball is faster, by
-  // half a step's friction. contacts() has no meaning.
+  // Replays a match, without minds and rules, in a new world that is made as for the match; benchmarks compare the
+  // times. Then states() is as after the match, only the ball is faster, by half a step's friction.
   void replay(const PhysicsLog& log);
 
  private:

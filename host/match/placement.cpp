@@ -10,7 +10,6 @@ namespace {
 
 double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-// Returns whether a robot other than `self` is nearer to `spot` than `gap`.
 bool taken(Vector spot, int self, std::span<const Vector> robots, double gap) {
   for (std::size_t id = 0; id < robots.size(); ++id) {
     if (static_cast<int>(id) != self && squared_length(spot - robots[id]) < gap * gap) return true;

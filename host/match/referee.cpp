@@ -268,7 +268,6 @@ void Referee::touch(const Scene& scene) {
   touched_since_kick_off_ = true;
 }
 
-// A robot of the defending side has touched the ball of a set play too early: the ball is put back.
 void Referee::touched_too_early(int robot) {
   calls_.ball = state_.spot;
   ball_ = state_.spot;

@@ -98,8 +98,7 @@ class Referee {
   const Calls& update(const Scene& scene);  // must be called after each physics step
 
   // The caller calls this before a robot of `side` sends a packet. Charges the packet in Ready, Set and Playing.
-  // Returns false if the packet must not be sent: in the other phases, or because the packet is too long. The next
-  // update() returns the events that the packet causes.
+  // Returns false if it must not be sent: in other phases, or if it is too long. The next update() returns the events.
   bool packet(Side side, std::size_t bytes);
 
  private:

@@ -19,7 +19,6 @@ constexpr double moved = 0.25;      // m; the game is not stuck when the ball mo
 
 }  // namespace
 
-// Returns whether the robot touches the goal line that it defends.
 bool Referee::on_goal_line(int id) const {
   const double line = -direction(roster_.side(id)) * rules_.field.length / 2.0;
   return std::fabs(where(id).x - line) <= robot_radius_ + rules_.field.line_width / 2.0;

@@ -135,8 +135,7 @@ void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool ab
   imagine_ball(tick, out);
 }
 
-// Sets the odometry: the motion since the last decision, in the robot frame of that decision. For a robot at rest, the
-// function adds no error and draws no random number.
+// Sets the odometry: the motion since the last decision, in its robot frame. A robot at rest has no error, and no draw.
 void Sensing::measure_motion(const BodyState& own, std::uint32_t tick, mind::Percepts& out) {
   out.odometry = {};
   const Vector position{own.x, own.y};
@@ -184,7 +183,6 @@ void Sensing::see_ball(Purpose purpose, std::size_t object, Vector ball) {
   }
 }
 
-// Collects the objects that the camera may see: in its sector, in range, and not behind a robot.
 void Sensing::find_candidates(const Truth& truth) {
   const config::Camera& camera = profile_.camera;
   candidates_.count = 0;

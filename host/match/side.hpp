@@ -31,8 +31,7 @@ constexpr const char* name(Side side) { return side == Side::home ? "home" : "aw
 // Returns +1 if the side attacks the goal at +x of the world frame in this half, else -1. half: from 1.
 constexpr double attack(Side side, int half) { return (side == Side::home) == (half % 2 == 1) ? 1.0 : -1.0; }
 
-// Converts a world pose to the field frame of a side that attacks towards `direction` (+1 or -1). The same function
-// converts a field pose to the world frame.
+// Converts a world pose to the field frame of a side that attacks towards `direction` (+1 or -1), and back.
 inline mind::Pose in_field_frame(const mind::Pose& world, double direction) {
   if (direction > 0.0) return {world.x, world.y, mind::wrap(world.heading)};
   return {-world.x, -world.y, mind::wrap(world.heading + mind::pi)};

@@ -14,9 +14,8 @@
 
 namespace regista::match {
 
-// mind() creates one mind of a side; minds() creates all minds of a side, by robot number. Random numbers depend on
-// (seed, side), so they stay with the side when two teams swap sides. Both throw plugin::Failure if a plugin cannot be
-// created. The functions set tracing.side to `side`.
+// mind() creates one mind of a side; minds() all of them, by robot number. Random numbers depend on (seed, side), so
+// they stay with the side when two teams swap sides. Both set tracing.side, and throw plugin::Failure like Mind.
 mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::CallTracing tracing = {},
                 const mind::MindOptions& options = {});
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed,

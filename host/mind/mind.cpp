@@ -14,7 +14,6 @@ namespace {
 
 constexpr double time_rounding = 1e-3;  // s; packets round times to milliseconds
 
-// Copies the decision to the outcome, which the metrics read.
 void tell(const Decision& decision, Outcome& out) {
   out.role = decision.own_role;
   out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
@@ -134,7 +133,6 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   ++parts.caller.tick;
 }
 
-// Sets the receiver of the kick, if the behaviour named one.
 void Mind::Impl::say_receiver(Command& command) {
   const std::optional<MeantPass>& pass = extensions.pass();
   if (!command.kick || !pass) return;

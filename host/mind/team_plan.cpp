@@ -15,11 +15,10 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
 TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
                    config::Mistakes& mistakes)
     : team_(std::move(team)), rules_(std::move(rules)), robot_(std::move(robot)) {
-  // Finds a plugin and checks the values of its parameters.
   const auto part = [&](const config::PluginUse& use, int kind, unsigned subject = 0) {
     Part out{nullptr, {}, use};
-    // A plugin without a name, or named at a location that was marked by Mistakes::doubt_place(), belongs to a mistake
-    // that was reported before.
+    // A plugin without a name, or at a location of Mistakes::doubt_place(), belongs to a mistake that was reported
+    // before.
     if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
     mistakes.attempt("", [&] {
       out.found = &catalogue.find(use, kind, subject);

@@ -29,7 +29,6 @@ struct Edge {
   double sign, limit;
 
   double beyond(const Point& p) const { return sign * (p[axis] - limit); }
-  // Returns the point at which the line from a to b crosses the edge.
   Point crossing(const Point& a, const Point& b) const {
     Point out = between(a, b, beyond(a) / (beyond(a) - beyond(b)));
     out[axis] = limit;

@@ -29,8 +29,7 @@ struct PlacedLabel {
   bool far = false;         // a line must lead to it
 };
 
-// Returns a place for each label, in the order of the labels; earlier labels choose first. taken: areas that no label
-// may cover. within: labels stay inside.
+// Returns a place in `within` for each label; earlier labels choose first. taken: areas that no label may cover.
 std::vector<std::optional<PlacedLabel>> place_labels(std::span<const WantedLabel> labels, std::span<const Area> taken,
                                                      const Area& within);
 
@@ -40,8 +39,7 @@ class Labels {
   // No label covers the square with this centre and half side, px.
   void take(double x, double y, double half) { taken_.push_back({x - half, y - half, x + half, y + half}); }
 
-  // classes: of the style sheet. rank: labels of the lowest rank choose first. letter: size of the letters, px. The
-  // label may stand farther away if `far`.
+  // classes: of the style sheet. rank: the lowest choose first. letter: size, px. far: it may stand farther away.
   struct Style {
     const char* classes;
     int rank;

@@ -27,8 +27,7 @@ constexpr double decision_period = 5.0;
 
 std::uint64_t nanoseconds(double seconds) { return static_cast<std::uint64_t>(std::llround(seconds * 1e9)); }
 
-// Converts poses from a team's field frame into the world frame, by half a turn if the team attacks towards -x. Rounds
-// beliefs to 0.01 m and 0.01 rad.
+// Converts from a team's field frame into the world frame, by half a turn or none. Rounds to 0.01 m and 0.01 rad.
 struct ToWorld {
   double direction;
 

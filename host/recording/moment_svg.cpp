@@ -33,8 +33,7 @@ Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
                to.x(x), to.y(y), longer * to.per_metre, shorter * to.per_metre, -angle * 180.0 / std::numbers::pi);
 }
 
-// The order in which labels choose their places: the chosen robot, its team, its tasks, then the ages of its beliefs
-// and the opponents.
+// Labels choose their places in this order: the chosen robot, its team, its tasks, ages of its beliefs, opponents.
 constexpr Labels::Style of_chosen{"role", 0, 10.5, true}, of_own_team{"role", 1, 10.5, true},
     of_tasks{"task-name", 2, 10.5, true}, of_ages{"age", 3, 9.5, false}, of_opponents{"role", 4, 10.5, false};
 

@@ -62,9 +62,8 @@ struct Number {
   std::size_t decimals = 0;
 };
 
-// Returns the number in the text. Returns nothing for a text with an exponent, with more than most_digits characters or
-// most_decimals decimals, or that is not the shortest text of its number (1.50, -0): the page can write only the
-// shortest text.
+// Returns the number in the text; nothing for a text with an exponent, too many digits or decimals, or that is not the
+// shortest text of its number (1.50, -0), the only one that the page can write.
 std::optional<Number> number_of(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);

@@ -28,8 +28,7 @@ namespace regista::recording {
 //   the texts of numbers.
 inline constexpr auto packed_messages = static_cast<mcap::Opcode>(0x80);
 
-// Returns the bytes for a page: the packed form or, if the file is damaged or cut off, the file itself. The page then
-// shows what is readable and says what is missing.
+// Returns the bytes for a page: the packed form, or the file itself if it is damaged or cut off; the page then says so.
 std::string packed_recording(const std::filesystem::path& file);
 
 // Largest recording (bytes) that a browser can hold as one text.

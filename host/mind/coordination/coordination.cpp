@@ -257,7 +257,6 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
   decision_.frame.tasks = abi_span(decision_.tasks);
 }
 
-// Computes positions and headings of the kept tasks in the world `knowledge`.
 void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge) {
   const bool listed = listed_in_ == knowledge, face = made_.facings && !(listed && made_.facings_of_all_tasks);
   if (listed && !face) return;
@@ -346,7 +345,7 @@ void Coordination::assign(const DistributedWorldModel& world) {
   const std::size_t rows = world.active.size(), columns = decision_.columns.size();
   decision_.assigned.assign(rows, REGISTA_NO_TASK);
   parts_[static_cast<std::size_t>(decision_.context)].assigner.assign(
-      decision_.frame, decision_.utility.view(rows, columns), decision_.assigned);
+      decision_.frame, matrix(decision_.utility.values(), rows, columns), decision_.assigned);
   std::ranges::fill(decision_.role_of, REGISTA_NO_TASK);
   for (std::size_t i = 0; i < rows; ++i) {
     const std::int32_t column = decision_.assigned[i];

@@ -67,7 +67,8 @@ constexpr double unknown_after = 30.0;    // s without news of the ball, after w
 // A made-up game. The conditions are called at 4 moments of the game.
 class SyntheticGame {
  public:
-  SyntheticGame(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), dice_(&dice) {
+  SyntheticGame(const TeamPlan& plan, int own, Dice& dice)
+      : plan_(&plan), dice_(&dice), world_(plan.rules().team_size) {
     const config::Rules& rules = plan.rules();
     interval_ = dice.log_real(0.1, 20.0);
     half_ = 1 + dice.below(rules.durations.halves);
@@ -83,17 +84,14 @@ class SyntheticGame {
     ball_age_ = ball_seen_ ? 0.0 : dice.log_real(0.1, 2.0 * unknown_after);
     reach_ = dice.log_real(0.05, 3.0);
     opponents_ = dice.below(rules.team_size + 1);
-    out_of_play_ = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
-    DistributedWorldModel first(rules.team_size);
-    make_up(first, plan, 0, 0, 0.0, own, out_of_play_, dice);
+    const int out_of_play = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
+    make_up(world_, plan, 0, 0, 0.0, own, out_of_play, dice);
     if (phase_ != REGISTA_PHASE_PLAYING && set_play_ == REGISTA_SET_PLAY_KICK_OFF) {
-      first.ball_state.position[0] = first.ball_state.position[1] = 0.0;
+      world_.ball_state.position[0] = world_.ball_state.position[1] = 0.0;
     }
     still_ = phase_ != REGISTA_PHASE_PLAYING || dice.chance(0.3);
-    gather(first);
-    robots_ = first.robots;
-    others_ = first.opponents;
-    ball_ = first.ball_state;
+    gather();
+    ball_ = world_.ball_state;
     free_at_ = dice.chance(0.3) ? 1 + dice.below(moments) : moments;
   }
 
@@ -104,25 +102,23 @@ class SyntheticGame {
     return half_ * standing + (half_ - 1) * durations.half + clock_ + moment * interval_;
   }
 
-  void moment(int number, DistributedWorldModel& world) {
+  // Returns the world at a moment, until the next call. Moments are asked for in their order.
+  const DistributedWorldModel& moment(int number) {
     if (number == free_at_) {
       phase_ = REGISTA_PHASE_PLAYING;
       set_play_ = REGISTA_SET_PLAY_NONE;
       phase_began_ = time(number);
     }
-    world.robots = robots_;
-    world.opponents = others_;
-    world.ball_state = ball_;
+    regista_ball& ball = world_.ball_state = ball_;
     if (!still_) {
-      world.ball_state.position[0] += ball_.velocity[0] * number * interval_;
-      world.ball_state.position[1] += ball_.velocity[1] * number * interval_;
+      ball.position[0] += ball_.velocity[0] * number * interval_;
+      ball.position[1] += ball_.velocity[1] * number * interval_;
     } else {
-      for (double& each : world.ball_state.velocity) each = 0.0;
+      for (double& each : ball.velocity) each = 0.0;
     }
-    const double age = ball_age_ + (ball_seen_ ? 0.0 : number * interval_);
-    world.ball_state.age = age;
-    if (!ball_known_ || age > unknown_after) world.ball_state = {};
-    regista_game& game = world.game;
+    ball.age = ball_age_ + (ball_seen_ ? 0.0 : number * interval_);
+    if (!ball_known_ || ball.age > unknown_after) ball = {};
+    regista_game& game = world_.game;
     game.phase = phase_;
     game.set_play = set_play_;
     game.own_kick = own_kick_ ? 1 : 0;
@@ -131,7 +127,8 @@ class SyntheticGame {
     game.opponent_score = least_score_ + opponent_lead_;
     game.phase_time = time(number) - phase_began_;
     game.time_left = std::max(0.0, plan_->rules().durations.half - clock_ - number * interval_);
-    world.close();
+    world_.close();
+    return world_;
   }
 
  private:
@@ -149,19 +146,19 @@ class SyntheticGame {
   }
 
   // In half of the games, moves some robots to places around the ball. Draws the share of moved robots for each side.
-  void gather(DistributedWorldModel& world) {
+  void gather() {
     Dice& dice = *dice_;
     const bool gathered = dice.chance(0.5);
     const double ours = gathered ? dice.real(0.0, 1.0) : 0.0, theirs = gathered ? dice.real(0.0, 1.0) : 0.0;
     const auto place = [&](double share, double* position) {
       if (!dice.chance(share)) return;
       const double angle = dice.real(-pi, pi), distance = dice.real(0.0, reach_);
-      position[0] = world.ball_state.position[0] + distance * std::cos(angle);
-      position[1] = world.ball_state.position[1] + distance * std::sin(angle);
+      position[0] = world_.ball_state.position[0] + distance * std::cos(angle);
+      position[1] = world_.ball_state.position[1] + distance * std::sin(angle);
     };
-    for (regista_robot& robot : world.robots) place(ours, robot.pose);
-    world.opponents.resize(static_cast<std::size_t>(opponents_));
-    for (regista_opponent& opponent : world.opponents) {
+    for (regista_robot& robot : world_.robots) place(ours, robot.pose);
+    world_.opponents.resize(static_cast<std::size_t>(opponents_));
+    for (regista_opponent& opponent : world_.opponents) {
       place(theirs, opponent.position);
       opponent.weight = dice.chance(0.5) ? 1.0 : dice.real(0.3, 1.0);
     }
@@ -174,13 +171,11 @@ class SyntheticGame {
   int phase_ = REGISTA_PHASE_PLAYING, set_play_ = REGISTA_SET_PLAY_NONE;
   bool own_kick_ = false, ball_known_ = true, ball_seen_ = true, still_ = false;
   double ball_age_ = 0.0, reach_ = 1.0;
-  int opponents_ = 0, out_of_play_ = 0, free_at_ = moments;
-  std::vector<regista_robot> robots_;
-  std::vector<regista_opponent> others_;
-  regista_ball ball_{};
+  int opponents_ = 0, free_at_ = moments;
+  DistributedWorldModel world_;
+  regista_ball ball_{};  // at the first moment
 };
 
-// The context conditions of one robot.
 class Conditions {
  public:
   Conditions(const TeamPlan& plan, const plugin::Caller& caller)
@@ -233,8 +228,7 @@ bool occurs(int set_play, int phase) {
   return set_play == REGISTA_SET_PLAY_KICK_OFF ? !playing : playing || set_play == REGISTA_SET_PLAY_PENALTY_KICK;
 }
 
-// Compares the context in force in set plays with the context in force in open play, in scenes that are equal
-// otherwise.
+// Compares the context in force in set plays with the one in open play, in scenes that are equal otherwise.
 SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, int own, Dice& dice) {
   constexpr int scenes = 16;
   SetPlayContexts out{};
@@ -290,9 +284,7 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing)
     SyntheticGame game(plan, own, dice);
     int in_force = -1;
     for (int moment = 0; moment < moments; ++moment) {
-      DistributedWorldModel world(team_size);
-      game.moment(moment, world);
-      robot.ask(world, game.time(moment), moment, in_force, holds);
+      robot.ask(game.moment(moment), game.time(moment), moment, in_force, holds);
       ++out.scenes;
       const auto first = std::ranges::find(holds, 1);
       in_force = first == holds.end() ? -1 : static_cast<int>(first - holds.begin());

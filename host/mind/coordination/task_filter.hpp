@@ -20,8 +20,7 @@ class LeastCostAssignment {
  public:
   void reserve(std::size_t rows, std::size_t columns);
 
-  // Gives every row its own column; returns the total cost. costs: finite, row by row. `rows` must be at most
-  // `columns`.
+  // Gives every row its own column; returns the total cost. costs: finite, row by row. `rows` is at most `columns`.
   double solve(std::span<const double> costs, std::size_t rows, std::size_t columns);
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);

@@ -27,7 +27,6 @@ namespace regista::mind {
 
 class Extensions;
 
-// The extensions of one plugin instance.
 class InstanceExtensions {
  public:
   InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics, int place);
@@ -81,8 +80,7 @@ class Extensions {
   Extensions(const Extensions&) = delete;
   Extensions& operator=(const Extensions&) = delete;
 
-  // Makes the function tables of the next instance. metrics: the plugin's metrics as indices into TeamPlan::metrics().
-  // `plugin` and `metrics` must outlive this object.
+  // Makes the function tables of the next instance. metrics: indices into TeamPlan::metrics(). Both must outlive this.
   const InstanceExtensions& open(const plugin::Found& plugin, std::span<const int> metrics);
 
   // Must be called before a plugin asks a question (extensions told, budget).

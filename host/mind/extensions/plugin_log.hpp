@@ -57,8 +57,7 @@ std::optional<std::int32_t> level_of(std::string_view name);
 // Returns text such as "[warning] home 3, tick 124, voronoi: two points coincide".
 std::string to_string(const LogLine& line);
 
-// Bytes of log for each side: the limit for to_standard_error() in a process whose standard error is stored with the
-// match.
+// Limit of to_standard_error() in a process whose standard error is stored with the match: bytes for each side.
 inline constexpr std::size_t most_kept_of_log = 1500;
 
 // Returns a sink that writes lines of this level and above to standard error. most_bytes: limit of bytes for each side;
@@ -83,7 +82,6 @@ class PluginLog {
   // Adds a line in which the host reports something about a plugin. The limits do not apply to this line.
   void remark(const char* plugin, int place, std::string_view text);
 
-  // Returns the lines of the last decision; nothing if `keeps` was false.
   std::span<const LogLine> lines() const { return lines_; }
 
  private:
@@ -167,8 +165,7 @@ class MetricReports {
   // Adds a report. of_team: the plugin's metrics, as indices into TeamPlan::metrics(). metric: index into of_team.
   void report(const plugin::Found& plugin, std::span<const int> of_team, int place, std::uint32_t metric, double value);
 
-  // take() fills `out` with the reports since the last take(), sorted by metric and then by the place of the instance.
-  // violation(): the first violation.
+  // take() fills `out` with the reports since the last take(), sorted by metric and then place. violation(): the first.
   void take(std::vector<MetricReport>& out);
   const std::optional<Violation>& violation() const { return violation_; }
 

@@ -82,8 +82,7 @@ std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const Pac
 // Reads the report and the segments (views into `bytes`). Returns nothing if `bytes` is not a packet of this team.
 std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLimits&, std::vector<Segment>& segments);
 
-// --- What happens to the segments of one robot's plugins. Mailboxes keeps a journal for recorders; no decision uses
-// it.
+// --- What happens to the segments of one robot's plugins. Mailboxes keeps a journal of it for recorders only.
 
 // Counts for the metrics of a match. An accepted offer is later sent or dropped, or is still waiting.
 struct SegmentCounts {

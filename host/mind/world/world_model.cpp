@@ -56,7 +56,6 @@ constexpr double ball_forgotten_after = 30.0;
 static_assert(static_cast<int>(Phase::finished) == REGISTA_PHASE_FINISHED);
 static_assert(static_cast<int>(SetPlay::penalty_kick) == REGISTA_SET_PLAY_PENALTY_KICK);
 
-// Copies pose, velocity and covariance from a track to a robot.
 void set_motion(regista_robot& robot, const regista_track& track) {
   robot.pose[0] = track.x;
   robot.pose[1] = track.y;

@@ -36,8 +36,6 @@ class DistributedWorldModel {
       robot(number).role = -1;
     }
     active.reserve(robots.size());
-    game.size = sizeof game;
-    ball_state.size = sizeof ball_state;
     raw.size = sizeof raw;
     raw.game = &game;
     raw.ball = &ball_state;
@@ -90,8 +88,8 @@ class LocalModel {
   const regista_track& self() const { return self_; }
   Pose pose() const { return {self_.x, self_.y, self_.pose.heading}; }
   const Frame2& frame() const { return frame_; }  // converts between robot frame and field frame
-  // balls(): hypotheses of the ball, the best first. opponents(), teammates(): robots in any order, without shirt
-  // numbers. Valid until the next update().
+  // Until the next update(). balls(): hypotheses, the best first. opponents(), teammates(): in any order, without
+  // numbers.
   std::span<const regista_track> balls() const { return balls_; }
   std::span<const regista_track> opponents() const { return opponents_; }
   std::span<const regista_track> teammates() const { return teammates_; }
@@ -171,7 +169,7 @@ class WorldModel {
  public:
   WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team, FrameParts made);
 
-  // Calls in each decision, in this order: sense(), hear() for each report, fuse(). `last`: last decision's frame, or
+  // Calls in each decision, in this order: sense(), hear() for each report, fuse(). `last`: last decision's frame or
   // null.
   void sense(const Percepts& percepts, double dt, const regista_frame* last);
   void hear(const Report& report, double now) { team_.absorb(report, now); }
