@@ -39,6 +39,7 @@ struct GameState {
   bool in_play() const { return phase == mind::Phase::playing && set_play == mind::SetPlay::none; }
   int score(Side side) const { return goals[index(side)]; }
   bool is_penalised(Side side, int number) const { return (penalised[index(side)] >> (number - 1) & 1u) != 0; }
+  RobotSet all_penalised(Roster roster) const { return penalised[0] | RobotSet{penalised[1]} << roster.team_size; }
 };
 
 // The offence for which a robot is penalised. RoboCup SPL rule book 2023, section 4.

@@ -26,8 +26,7 @@ void Duels::sample(std::span<const BodyState> bodies, RobotSet able, double time
   const Vector ball{bodies.back().x, bodies.back().y};
   std::array<int, 2> nearest{-1, -1};
   std::array<double, 2> least{};  // m^2
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!contains(able, id)) continue;
+  for (const int id : Members(able & roster_.everybody())) {
     const BodyState& body = bodies[at(id)];
     const double distance = squared_length(Vector{body.x, body.y} - ball);
     const std::size_t side = index(roster_.side(id));
@@ -197,11 +196,9 @@ void PlayMeasures::finish() {
 
 void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bodies, std::optional<Side> last_touch,
                           RobotSet able) {
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (state.is_penalised(roster_.side(id), roster_.number(id))) {
-      able &= ~only(id);
-      continue;
-    }
+  const RobotSet active = roster_.everybody() & ~state.all_penalised(roster_);
+  able &= active;
+  for (const int id : Members(active)) {
     const BodyState& body = bodies[at(id)];
     walked_[at(id)] += length({body.vx, body.vy}) / samples_per_second;
   }
@@ -222,12 +219,10 @@ void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bod
 }
 
 bool PlayMeasures::keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const {
-  for (int number = 1; number <= roster_.team_size; ++number) {
-    const int id = roster_.id(side, number);
-    const BodyState& body = bodies[at(id)];
-    if (contains(able, id) && in_penalty_area(field_, -attack(side, half), {body.x, body.y})) return true;
-  }
-  return false;
+  return those(able & roster_.team(side), [&](int id) {
+           const BodyState& body = bodies[at(id)];
+           return in_penalty_area(field_, -attack(side, half), {body.x, body.y});
+         }) != 0;
 }
 
 PlayMetrics PlayMeasures::result(Side side) const {
@@ -238,8 +233,8 @@ PlayMetrics PlayMeasures::result(Side side) const {
   out.ball_x_metres = mean(own.ball_x, in_play_);
   out.goal_empty_seconds = seconds(own.goal_empty);
   out.opponent_half_share = share(own.in_opponent_half, in_play_);
-  for (int number = 1; number <= roster_.team_size; ++number) {
-    const double walked = walked_[at(roster_.id(side, number))];
+  for (const int id : Members(roster_.team(side))) {
+    const double walked = walked_[at(id)];
     out.robot_distance_metres.push_back(walked);
     out.distance_walked_metres += walked;
   }
@@ -256,10 +251,8 @@ bool BallMeasures::Decision::goes_for(const Vector& ball) const {
 }
 
 RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
-  return those(able & roster_.everybody(), [&](int id) {
-    const Side side = roster_.side(id);
-    return !state.is_penalised(side, roster_.number(id)) &&
-           decisions_[at(id)].goes_for(attack(side, state.half) * Vector{ball.x, ball.y});
+  return those(able & roster_.everybody() & ~state.all_penalised(roster_), [&](int id) {
+    return decisions_[at(id)].goes_for(attack(roster_.side(id), state.half) * Vector{ball.x, ball.y});
   });
 }
 
@@ -273,9 +266,7 @@ void BallMeasures::sample(const GameState& state, std::span<const BodyState> bod
   for (const Side side : both_sides) {
     int nearest = -1, chasing = 0;
     double least = 0.0;  // m^2
-    for (int number = 1; number <= roster_.team_size; ++number) {
-      if (state.is_penalised(side, number)) continue;
-      const int id = roster_.id(side, number);
+    for (const int id : Members(roster_.team(side) & ~state.all_penalised(roster_))) {
       const BodyState& body = bodies[at(id)];
       const double distance = squared_length(Vector{body.x, body.y} - place);
       if (distance <= near_ball * near_ball) {

@@ -127,8 +127,7 @@ void OffenceWatch::watch_goal_areas(const Scene& scene, const GameState& state, 
     const double end = -attack(side, state.half);
     int inside = 0;
     RobotSet entered = 0;
-    for (int number = 1; number <= roster_.team_size; ++number) {
-      const int id = roster_.id(side, number);
+    for (const int id : Members(roster_.team(side))) {
       Watched& robot = of(id);
       const bool was = robot.in_goal_area;
       robot.in_goal_area = contains(playing, id) && in_goal_area(rules_.field, end, place_of(scene, id));

@@ -37,8 +37,7 @@ void Referee::watch_set_play() {
     intruders = intruders_at_kick_off(rules_, state_, roster_, where_, playing());
   } else {
     const double near = rules_.set_play_distance;
-    for (int number = 1; number <= rules_.team_size; ++number) {
-      const int id = roster_.id(defender, number);
+    for (const int id : Members(roster_.team(defender))) {
       double& leave_by = leave_by_[at(id)];
       if (squared_length(where(id) - state_.spot) >= near * near) {
         leave_by = 0.0;

@@ -52,6 +52,7 @@ struct Roster {
   constexpr Side side(int id) const { return id < team_size ? Side::home : Side::away; }
   constexpr int number(int id) const { return id % team_size + 1; }
   constexpr RobotSet everybody() const { return only(count()) - 1; }
+  constexpr RobotSet team(Side side) const { return (only(team_size) - 1) << (side == Side::home ? 0 : team_size); }
 };
 
 // Iterates over the ids of a set in ascending order: for (const int id : Members(set)).
