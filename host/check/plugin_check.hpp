@@ -35,8 +35,7 @@ struct Listener {
 };
 
 // Returns one report for each file. Looks at all files before the first check. Throws config::BadInput for an unknown
-// name in `only`, a missing file, a value that a parameter cannot have, and a plugin, parameter or check that no file
-// has.
+// name in `only`, a missing file, a wrong value, and a plugin, parameter or check that no file has.
 std::vector<Report> check_files(const std::vector<std::filesystem::path>& files, const Options& options,
                                 const Listener& listener);
 

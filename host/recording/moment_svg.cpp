@@ -8,7 +8,6 @@
 
 #include "config/errors.hpp"
 #include "config/scalar.hpp"
-#include "recording/label_placement.hpp"
 
 namespace regista::recording {
 namespace {

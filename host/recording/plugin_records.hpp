@@ -31,9 +31,8 @@ struct LastDecision {
 
 // --- Events of segments: a plugin offers bytes, the bytes leave in a packet or are dropped, teammates hear the packet.
 
-// Finds the offer of a segment that a teammate heard. The packet cannot tell: for each segment it has only the number
-// of the plugin's place in the team (mailboxes.hpp) and the bytes, not the handle of the offer. So this class remembers
-// each sent segment and finds it by sender, time of sending, and index in the packet.
+// Finds the offer of a segment that a teammate heard. The packet has only the plugin's place and the bytes, not the
+// handle of the offer, so each sent segment is found by sender, time of sending, and index in the packet.
 class SentSegments {
  public:
   // Returns the handle that the offering robot gave to the offer of this event; 0 if there is no offer or the offer is

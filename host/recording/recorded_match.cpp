@@ -268,9 +268,8 @@ auto reading(const std::filesystem::path& file, const std::string& what, Read re
   throw mcap::Error(file, "is damaged: " + what + " cannot be read");
 }
 
-// The present drawing of a layer may be minutes old, because only changes are recorded. Only the last of thousands of
-// messages counts for each layer. So the class keeps messages as text and parses only the last ones completely.
-// DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
+// Only changes of a layer are recorded, so its present drawing may be minutes old. Messages are kept as text, and only
+// the last of each layer is parsed completely. Throw nlohmann::json::exception or Senseless if one cannot be read.
 class DrawingsOfRobot {
  public:
   explicit DrawingsOfRobot(const RobotName& robot) : robot_(robot) {}

@@ -69,9 +69,8 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn);
 // Converts an action to a command. plugin::Behaviour must have checked the action. A robot that kicks does not walk.
 Command carry_out(const Body& body, const regista_action& action);
 
-// --- RobotMemory remembers the robots of both teams that this robot saw within 2 m or touched, for one second, so that
-// it walks around them: the camera misses every third robot or looks elsewhere, but a robot rarely moves far in a
-// second.
+// --- RobotMemory remembers for one second the robots of both teams that this robot saw within 2 m or touched, so that
+// it walks around them although the camera misses every third robot or looks elsewhere.
 
 class RobotMemory {
  public:
