@@ -54,7 +54,6 @@ class IndirectKick {
  private:
   enum class Kind { none, free_kick, penalty_kick };
   IndirectKick(double circle, Kind kind, Side side) : circle_(circle), kind_(kind), side_(side) {}
-  void played_by_another(int id, bool kicked, double time);
 
   double circle_;
   Kind kind_ = Kind::none;
@@ -111,7 +110,6 @@ class Referee {
   void finish(Ended how);
   void play(const Scene& scene);
   void touch(const Scene& scene);
-  void touched_too_early(int robot);
   bool ball_left();
   bool goal_counts(Side scorer) const;
   void goal(Side scorer);

@@ -52,7 +52,6 @@ struct Mind::Impl {
 
   void listen_to(const HeardPacket& packet);
   Vector2d target() const;
-  plugin::Behaviour& behaviour();
   regista_body body(const Percepts& percepts);
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
@@ -171,11 +170,6 @@ Vector2d Mind::Impl::target() const {
   return task != nullptr ? Vector2d(task->after[0], task->after[1]) : position(world.local().pose());
 }
 
-plugin::Behaviour& Mind::Impl::behaviour() {
-  const int role = coordination.decision().own_role;
-  return behaviours[role < 0 ? plan.behaviour_without_role() : plan.roles()[static_cast<std::size_t>(role)].behaviour];
-}
-
 regista_body Mind::Impl::body(const Percepts& percepts) {
   const Decision& decision = coordination.decision();
   const auto flag = [](bool is, std::uint32_t bit) { return is ? bit : 0u; };
@@ -204,7 +198,10 @@ regista_body Mind::Impl::body(const Percepts& percepts) {
 
 Command Mind::Impl::act(const Percepts& percepts) {
   robots_near.update(percepts, world.local().frame(), 2.0 * plan.robot().body.radius);
-  const regista_action& action = behaviour().act(coordination.decision().frame, body(percepts));
+  const int role = coordination.decision().own_role;
+  const std::size_t behaviour =
+      role < 0 ? plan.behaviour_without_role() : plan.roles()[static_cast<std::size_t>(role)].behaviour;
+  const regista_action& action = behaviours[behaviour].act(coordination.decision().frame, body(percepts));
   told_target.reset();
   if ((action.flags & REGISTA_ACTION_TARGET) != 0) told_target.emplace(action.target[0], action.target[1]);
   return carry_out({plan.rules(), plan.robot(), world.mine(), number, world.local().pose(), world.local().frame(),

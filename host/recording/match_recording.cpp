@@ -41,8 +41,8 @@ struct ToWorld {
 };
 
 // Writes a covariance as xx, xy, yy. Half a turn does not change these values.
-void covariance(JsonText& json, double xx, double xy, double yy) {
-  json.open('[').number(xx, 4).number(xy, 4).number(yy, 4).close(']');
+void covariance(JsonText& json, const double* xx_xy_yy) {
+  json.open('[').number(xx_xy_yy[0], 4).number(xx_xy_yy[1], 4).number(xx_xy_yy[2], 4).close(']');
 }
 
 void numbers_of(JsonText& json, std::uint32_t set) {
@@ -75,7 +75,7 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
     json.key("velocity");
     to.point(json, ball.velocity);
     json.key("covariance");
-    covariance(json, ball.covariance[0], ball.covariance[1], ball.covariance[2]);
+    covariance(json, ball.covariance);
     json.key("age").number(ball.age, 2).close('}');
   } else {
     json.null();
@@ -88,17 +88,14 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
   json.key("teammates").open('{');
   known("number", [&](const regista_robot& robot) { json.integer(robot.number); });
   known("pose", [&](const regista_robot& robot) { to.pose(json, robot.pose); });
-  known("covariance", [&](const regista_robot& robot) {
-    covariance(json, robot.covariance[0], robot.covariance[1], robot.covariance[2]);
-  });
+  known("covariance", [&](const regista_robot& robot) { covariance(json, robot.covariance); });
   known("age", [&](const regista_robot& robot) { json.number(robot.age, 2); });
   known("role", [&](const regista_robot& robot) { json.integer(robot.role); });
   integers(json, "active", snapshot.active);
   json.close('}').key("opponents").open('{');
   column(json, "at", snapshot.opponents, [&](const regista_opponent& opponent) { to.point(json, opponent.position); });
-  column(json, "covariance", snapshot.opponents, [&](const regista_opponent& opponent) {
-    covariance(json, opponent.covariance[0], opponent.covariance[1], opponent.covariance[2]);
-  });
+  column(json, "covariance", snapshot.opponents,
+         [&](const regista_opponent& opponent) { covariance(json, opponent.covariance); });
   column(json, "age", snapshot.opponents, [&](const regista_opponent& opponent) { json.number(opponent.age, 2); });
   column(json, "weight", snapshot.opponents,
          [&](const regista_opponent& opponent) { json.number(opponent.weight, 2); });

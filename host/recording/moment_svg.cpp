@@ -62,8 +62,9 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
       const mind::Pose& pose = game.robots[side][i];
       const bool away = std::ranges::find(game.penalised[side], number) != game.penalised[side].end();
       const bool is_chosen = chosen && static_cast<std::size_t>(chosen->side) == side && chosen->number == number;
+      const double x = to.x(pose.x), y = to.y(pose.y), radius = team.robot_radius * to.per_metre;
       if (is_chosen) {
-        out << drawn(R"(<circle class="chosen" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(pose.x), to.y(pose.y),
+        out << drawn(R"(<circle class="chosen" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y,
                      (team.robot_radius + 0.12) * to.per_metre);
       }
       out << robot_shape(pose, team.robot_radius, static_cast<int>(side), number,
@@ -72,11 +73,10 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
                                      : "robot away",
                          to);
       if (std::ranges::find(game.fallen[side], number) != game.fallen[side].end()) {
-        const double x = to.x(pose.x), y = to.y(pose.y), r = (team.robot_radius + 0.05) * to.per_metre;
+        const double r = (team.robot_radius + 0.05) * to.per_metre;
         out << drawn(R"(<path class="fallen" d="M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", x - r,
                      y - r, x + r, y + r, x - r, y + r, x + r, y - r);
       }
-      const double x = to.x(pose.x), y = to.y(pose.y), radius = team.robot_radius * to.per_metre;
       labels.take(x, y, radius);
       const bool opponent = chosen && static_cast<std::size_t>(chosen->side) != side;
       const std::string name = away                       ? "penalised"

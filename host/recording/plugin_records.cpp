@@ -91,21 +91,18 @@ void write(texts::JsonText& json, const SegmentRecord& record) {
   }
 }
 
-std::size_t DrawnLayers::layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape) {
-  const std::string_view plugin = shape.plugin;
-  const auto found = std::ranges::find_if(
-      of_robot, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
-  const auto place = static_cast<std::size_t>(found - of_robot.begin());
-  if (found == of_robot.end()) of_robot.push_back({shape.plugin, shape.layer, std::string(nothing), -period});
-  return place;
-}
-
 std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot, double time,
                                                          std::span<const mind::DrawnShape> shapes, double direction) {
   changes_.clear();
   std::vector<Layer>& own = layers_[{side, robot}];
   layer_of_.clear();
-  for (const mind::DrawnShape& shape : shapes) layer_of_.push_back(layer(own, shape));
+  for (const mind::DrawnShape& shape : shapes) {
+    const std::string_view plugin = shape.plugin;
+    const auto found =
+        std::ranges::find_if(own, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
+    layer_of_.push_back(static_cast<std::size_t>(found - own.begin()));
+    if (found == own.end()) own.push_back({shape.plugin, shape.layer, std::string(nothing), -period});
+  }
   for (std::size_t i = 0; i < own.size(); ++i) {
     Layer& each = own[i];
     if (time - each.told < period - 1e-9) continue;

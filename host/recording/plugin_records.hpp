@@ -81,8 +81,6 @@ class DrawnLayers {
     std::string name, shapes;  // the shapes as last recorded
     double told = 0.0;         // s; time of the last record
   };
-  static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
-
   std::map<std::pair<match::Side, int>, std::vector<Layer>> layers_;  // by side and number
   std::vector<std::size_t> layer_of_;  // index of the layer of each shape in the current call
   std::vector<Change> changes_;
