@@ -195,8 +195,6 @@ void TenureMeasures::decided(int number, int role, double time, bool plays) {
   held = {role, time};
 }
 
-void TenureMeasures::crashed(int number) { held_[at(number - 1)].role = -1; }
-
 double TenureMeasures::shortest_but(std::size_t rank) const {
   std::size_t steps = 0;
   for (std::size_t before = finished_[0]; before <= rank; before += finished_[steps]) ++steps;

@@ -148,7 +148,7 @@ class TenureMeasures {
 
   // Robot `number` has decided at match time `time` (s). role: -1 = none. plays: in Playing, and not penalised.
   void decided(int number, int role, double time, bool plays);
-  void crashed(int number);  // drops the robot's tenure
+  void crashed(int number) { held_[at(number - 1)].role = -1; }  // drops the robot's tenure
 
   TenureMetrics result() const;
 

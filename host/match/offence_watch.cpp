@@ -24,8 +24,6 @@ OffenceWatch::OffenceWatch(const config::Rules& rules, Roster roster)
   calls_.reserve(watched_.size());
 }
 
-void OffenceWatch::forget(int id) { of(id) = {}; }
-
 void OffenceWatch::call(int id, Offence offence, int victim) {
   const bool called = std::ranges::find(calls_, id, &Offender::robot) != calls_.end();
   if (!called) calls_.push_back({id, offence, victim});
@@ -178,8 +176,5 @@ void PenaltyBox::send(int id, Offence offence) {
 void PenaltyBox::pass(double seconds) {
   for (const int id : Members(inside_)) remaining_[at(id)] -= seconds;
 }
-
-void PenaltyBox::release(int id) { inside_ &= ~only(id); }
-void PenaltyBox::empty() { inside_ = 0; }
 
 }  // namespace regista::match

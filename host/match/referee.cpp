@@ -76,9 +76,6 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
   state_.packets_left.fill(config::packets(rules_.messages));
 }
 
-// Returns whether `duration` has passed since `moment`. The tolerance exists because sums of steps are not exact.
-bool Referee::since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
-
 void Referee::note(EventKind kind, Side side, int number, Offence offence) {
   calls_.events.push_back({kind, side, number, offence});
 }

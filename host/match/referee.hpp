@@ -138,7 +138,8 @@ class Referee {
   void note(EventKind kind, Side side, int number = 0, Offence offence = Offence::none);
   bool plays(int id) const { return !contains(box_.inside(), id); }
   RobotSet playing() const { return roster_.everybody() & ~box_.inside(); }
-  bool since(double moment, double duration) const;
+  // Returns whether `duration` has passed since `moment`. The tolerance exists because sums of steps are not exact.
+  bool since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
   bool on_goal_line(int id) const;
   double direction(Side side) const { return attack(side, state_.half); }
   Vector where(int id) const { return where_[at(id)]; }

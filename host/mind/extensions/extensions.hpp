@@ -35,7 +35,8 @@ class InstanceExtensions {
 
   // Returns the function table of the extension `id`; null for an unknown name.
   const void* find(std::string_view id) const;
-  void begin_decision();  // resets the counts that are limited for each decision
+  // Resets the counts that are limited for each decision.
+  void begin_decision() { log_use_.lines = draw_use_.shapes = draw_use_.points = 0; }
 
  private:
   static InstanceExtensions& of(void* context) { return *static_cast<InstanceExtensions*>(context); }
