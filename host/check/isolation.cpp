@@ -92,7 +92,6 @@ class DescriptorTrap {
 
 // --- In the parent ---------------------------------------------------------------------------------------------------
 
-// The text from a pipe: its length, and its last bytes.
 struct Text {
   process::FileDescriptor pipe;
   std::size_t kept;  // bytes at the end that are kept

@@ -139,7 +139,6 @@ class Metrics {
   std::uint32_t active(Side side, const GameState& state) const;  // robots without penalty: bit n - 1 for robot n
   // Passes a decision to all measures except TenureMeasures.
   void took(Side side, int number, const mind::Outcome& outcome, bool sees_ball, const GameState& state);
-  // Extends the budget curve of `out` by the minutes that have passed since its last entry.
   void add_minutes(const GameState& state, MatchMetrics& out) const;
 
   struct TeamMeasures {

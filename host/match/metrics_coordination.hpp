@@ -42,7 +42,6 @@ struct Role {
 std::vector<std::string> role_names(const std::vector<Role>& roles);
 
 struct RoleMetrics {
-  // Numbers of one role in a span of the match.
   struct Counts {
     double overlap_seconds = 0.0, uncovered_seconds = 0.0, unplayed_seconds = 0.0;
     int switches = 0;

@@ -11,14 +11,14 @@ namespace regista::match {
 
 void Clearances::kicked(int id, Vector ball, double direction, double time) {
   kick_.reset();
-  if (direction * ball.x < -length_ / 6.0) kick_ = {id, ball, direction, time};
+  direction_ = direction;
+  if (direction * ball.x < -length_ / 6.0) kick_ = {id, time, ball};
 }
 
-std::optional<Clearances::Kick> Clearances::rolled(Vector ball) {
+std::optional<Begun> Clearances::rolled(Vector ball) {
   if (!kick_) return std::nullopt;
-  const double direction = kick_->direction;
-  const bool left = direction * ball.x >= -length_ / 6.0;
-  const bool far = to_goal(ball, direction) > to_goal(kick_->at, direction) + cleared_way;
+  const bool left = direction_ * ball.x >= -length_ / 6.0;
+  const bool far = to_goal(ball) > to_goal(kick_->at) + cleared_way;
   return left || far ? std::exchange(kick_, std::nullopt) : std::nullopt;
 }
 
@@ -120,8 +120,8 @@ void PlayMeasures::step(const BodyState& ball, int touched_by, int half) {
   half_ = half;
   if (touched_by >= 0) touched(touched_by, now, half);
   if (const auto kick = clearances_.rolled(now.position)) {
-    ++counts(roster_.side(kick->id)).clearances;
-    tell(PlayKind::clearance, {kick->id, kick->began, kick->at}, PlayOutcome::none);
+    ++counts(roster_.side(kick->robot)).clearances;
+    tell(PlayKind::clearance, *kick, PlayOutcome::none);
   }
   ball_ = now;
 }

@@ -19,6 +19,13 @@
 
 namespace regista::match {
 
+struct Begun {   // a play that has begun
+  int robot;     // id
+  double began;  // match time, s
+  Vector at;     // position of the ball at that time
+  int receiver = 0;
+};
+
 constexpr double cleared_way = 2.0;  // m towards the opponents' goal; assumption: a dribble pushes the ball less far
 
 // Detects clearances: kicks out of the team's own third of the field (an assumption, see metric_table.cpp).
@@ -29,23 +36,18 @@ class Clearances {
   // Robot `id` has kicked the ball, which may become a clearance: the pending kick. direction of attack: +1 or -1.
   void kicked(int id, Vector ball, double direction, double time);
   void touched(int id) {
-    if (kick_ && kick_->id != id) kick_.reset();
+    if (kick_ && kick_->robot != id) kick_.reset();
   }
   void drop() { kick_.reset(); }  // forgets the pending kick, as it was a pass or a shot, or as the ball is dead
 
-  struct Kick {
-    int id;
-    Vector at;
-    double direction, began;
-  };
   // Must be called with each new ball position. Returns the pending kick if the position makes it a clearance.
-  std::optional<Kick> rolled(Vector ball);
+  std::optional<Begun> rolled(Vector ball);
 
  private:
-  double to_goal(Vector ball, double direction) const { return length(direction * ball + Vector{length_ / 2.0, 0.0}); }
+  double to_goal(Vector ball) const { return length(direction_ * ball + Vector{length_ / 2.0, 0.0}); }
 
-  double length_;
-  std::optional<Kick> kick_;  // pending kick: may become a clearance; empty: no such kick
+  double length_, direction_ = 1.0;  // direction_: attack direction of the kicking side
+  std::optional<Begun> kick_;        // pending kick: may become a clearance; empty: no such kick
 };
 
 constexpr double duel_reach = 0.5;     // m from the ball; assumption: two steps of a robot
@@ -136,13 +138,6 @@ class PlayMeasures {
   struct Touch {
     int robot;  // id
     Vector ball;
-  };
-  // A play that has begun. began: match time, s. at: ball position at that time.
-  struct Begun {
-    int robot;  // id
-    double began;
-    Vector at;
-    int receiver = 0;
   };
   void touched(int robot, const Ball& ball, int half);
   void end_shot(PlayOutcome outcome);

@@ -21,7 +21,6 @@ constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 constexpr double squared_length(Vector a) { return dot(a, a); }
 inline double length(Vector a) { return std::sqrt(squared_length(a)); }
 
-// Returns `a` rotated by the angle with the given cosine and sine.
 constexpr Vector turned(Vector a, double cosine, double sine) {
   return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
 }

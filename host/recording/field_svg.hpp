@@ -110,7 +110,6 @@ namespace regista::recording {
 
 // --- A picture for the documentation of a team: where the rules of roles place robots for given ball positions.
 
-// The first bytes of every picture of roles.
 inline constexpr std::string_view roles_svg_begin = "<!-- regista config draw -->";
 
 struct RolesToDraw {

@@ -46,7 +46,6 @@ void numbers_of(JsonText& json, match::RobotSet of_one_side) {
   json.close(']');
 }
 
-// Writes a list with one entry for each element.
 template <class Elements, class Write>
 void column(JsonText& json, std::string_view name, const Elements& elements, Write write) {
   json.key(name).open('[');

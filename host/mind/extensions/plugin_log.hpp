@@ -140,7 +140,6 @@ class Drawings {
 // Largest absolute value of a report. With this limit no sum over a match is infinite.
 inline constexpr double largest_report = 1e9;
 
-// A metric that a plugin of the team declares.
 struct TeamMetric {
   std::string name;          // "voronoi.crossings"
   std::int32_t combine = 0;  // REGISTA_METRIC_*

@@ -64,7 +64,6 @@ struct Segment {
 
 inline constexpr std::size_t segment_heading = 2;  // bytes for place and length before a segment's own bytes
 
-// Limits that a valid packet of this team obeys.
 struct PacketLimits {
   int team_size = 7;
   int role_count = 0;

@@ -158,7 +158,6 @@ class TeamModel {
   std::vector<regista_track> told_, known_, merged_;
 };
 
-// The present role of this robot, which `mine` contains.
 struct OwnRole {
   int role = -1;
   double since = 0.0;
