@@ -110,8 +110,7 @@ std::string wrong_with_header(Elf* elf) {
   return {};
 }
 
-// Calls that no sound plugin needs, and why: seeds come from reset(), time from the frame, and the process is the
-// host's.
+// Calls that no sound plugin needs, and why. Seeds come from reset(), time from the frame; the process is the host's.
 struct Suspects {
   std::string_view why;
   std::array<std::string_view, 12> names;

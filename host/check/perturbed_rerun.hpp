@@ -33,8 +33,7 @@ struct Elsewhere {
 // Returns the environment for the program that plays the scenario, each variable as "NAME=VALUE".
 std::vector<std::string> environment_elsewhere();
 
-// Returns options that give the plugin its values, and write to `note` what is checked. All arguments must outlive
-// them.
+// Returns options that give the plugin its values and write to `note` what is checked. The arguments must outlive them.
 testkit::Options options_with(std::uint64_t seed, const GivenValues& given, const std::string& plugin, Underway& note);
 
 // Plays the scenario. The only line is a hash of all answers. Changes the working folder and draws from rand().

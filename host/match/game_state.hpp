@@ -93,8 +93,7 @@ struct Event {
 // The plays that the metrics count; metrics_play.hpp defines them. A play is reported as soon as its outcome is known.
 enum class PlayKind { shot, pass, clearance, duel };
 
-// A shot ends as goal, saved or missed. A pass ends as arrived, intercepted or lost. A duel ends as won, lost or
-// undecided for PlayEvent::side. A clearance has the outcome none.
+// Of a shot: goal, saved, missed. A pass: arrived, intercepted, lost. A duel: won, lost, undecided for its side.
 enum class PlayOutcome { none, goal, saved, missed, arrived, intercepted, lost, won, undecided };
 
 struct PlayEvent {

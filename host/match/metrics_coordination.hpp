@@ -164,8 +164,7 @@ class TenureMeasures {
   std::size_t count_ = 0;                // number of all finished tenures
 };
 
-// --- Distances between the targets of two active robots with a task, by their last decisions. The goalkeeper counts,
-// too.
+// --- Distances between the targets of two active robots with a task, by their last decisions, goalkeepers included.
 
 // Nothing if no two robots ever had a target at the same time.
 struct TargetMetrics {

@@ -208,8 +208,7 @@ class BallMeasures {
     decisions_[at(id)] = {plays, kicks, target};
   }
 
-  // The caller calls this ten times a second while the ball is in play. bodies: robots by id, then the ball. able:
-  // robots that stand and have not crashed; penalised robots are ignored.
+  // Must be called ten times a second while the ball is in play. bodies, able: as in PlayMeasures::sample().
   void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
 
   // Returns the robots of `able` that go for the ball, by their last decisions. able: as in sample().

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of Referee that watch robots. They keep the ball of a set play free, penalise offences, remove robots
-// at illegal positions and let robots return. referee.cpp has the functions for phases, set plays and goals.
+// The functions of Referee that watch, penalise, move and readmit robots. Phases, set plays and goals: referee.cpp.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

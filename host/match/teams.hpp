@@ -31,8 +31,7 @@ using AfterDecision = std::function<void(const mind::Mind&, const Decision&)>;
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,
             const AfterDecision& after = {}, plugin::CallTracing tracing = {});
 
-// Reads, for the metrics, what a mind believes in its world `mine`. The ball is known if `mine` has a ball that the
-// robot's own camera has not refuted. A teammate is known if it is active in `mine`.
+// Reads what a mind believes in its world `mine`: a ball that its camera has not refuted, and active teammates.
 void belief_of(const mind::Mind& mind, Belief& out);
 
 }  // namespace regista::match

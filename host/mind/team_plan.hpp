@@ -78,8 +78,7 @@ struct RoleRow {
   std::size_t behaviour = 0;  // index into TeamPlan::behaviours()
 };
 
-// The frame parts that a mind makes: each part that a plugin of the team declares to read (REGISTA_READS_*).
-// plugin/call_inputs.hpp detects a plugin that reads an undeclared part.
+// The frame parts that a plugin of the team declares to read (REGISTA_READS_*). plugin/call_inputs.hpp checks this.
 struct FrameParts {
   bool common_opponents = true, times = true;
   bool facings = true;               // facings of the kept tasks

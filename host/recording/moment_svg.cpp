@@ -151,8 +151,7 @@ Html planned(const RecordedDecision& decision, const RecordedTeam& team, const S
   return out;
 }
 
-// Returns how far the outermost robot stands beside the carpet (the field and the strip around it), at most 1 m:
-// penalised robots wait there. half_width: of the carpet, m.
+// Returns how far (m, at most 1) penalised robots stand beside the carpet: the field and its strip, of this half width.
 double outside_of(const RecordedMatch& match, const RecordedGame& game, double half_width) {
   constexpr double farthest = 1.0, name = 0.25;  // m; a damaged recording may have any pose; room for a label
   double out = 0.0;

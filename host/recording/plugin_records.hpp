@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// State that recordings and decision logs keep for each robot: its last written decision, the segments that its plugins
-// offered for packets, and the last recorded drawings of its plugins.
+// What recordings and decision logs remember of each robot: its last decision, offered segments, recorded drawings.
 #pragma once
 
 #include <cstddef>

@@ -67,8 +67,7 @@ class TaskFilter {
   std::vector<char> chosen_;
 };
 
-// Moves the task's position `after` by at most `at_most` metres towards the waypoint of the task. `index`: the task's
-// index in the context. Changes nothing if no waypoint belongs to the task.
+// Moves `after` of the task by at most `at_most` (m) towards its waypoint, if any. `index`: of the task in the context.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
 
 // Moves the task like offset(), but towards the waypoint that belongs to robot `number`, which has taken the task.

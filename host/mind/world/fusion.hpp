@@ -164,15 +164,13 @@ class OpponentFusion {
   std::vector<Cluster> clusters_;
 };
 
-// Negative information (Hoffmann, Spranger, Göhring and Jüngel 2005): if a robot looks at the estimated place of the
-// ball and sees no ball, the estimate is wrong.
+// Negative information (Hoffmann, Spranger, Göhring and Jüngel 2005): to see no ball at its estimated place refutes it.
 class NegativeInformation {
  public:
   // Estimate::source may be 0 to team_size.
   explicit NegativeInformation(int team_size) : sources_(static_cast<std::size_t>(team_size) + 1) {}
 
-  // Compares the balls (at most one for each source, field frame) with the view from `own`. `dt`: s since the last
-  // call.
+  // Compares the balls (at most one a source, field frame) with the view from `own`. `dt`: s since the last call.
   void look(std::span<const Estimate> balls, const Frame2& own, const Percepts& percepts, double dt);
 
   // Returns whether the camera has looked at the present estimate for more than 0.55 s without seeing a ball.

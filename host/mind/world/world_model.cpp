@@ -394,8 +394,7 @@ void WorldModel::fill_robots(const Percepts& percepts) {
   common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
 }
 
-// Improves the teammates' positions in `mine` with this robot's camera, because a position from an old packet is less
-// exact. The camera sees no numbers, so match_teammates() pairs positions.
+// Improves positions of old packets in `mine` with this robot's camera. It sees no numbers, so positions are paired.
 void WorldModel::sharpen_teammates() {
   seen_teammates_.clear();
   match_teammates(local_.teammates(), mine_.robots, own_number_, seen_teammates_);

@@ -88,8 +88,7 @@ class LocalModel {
   const regista_track& self() const { return self_; }
   Pose pose() const { return {self_.x, self_.y, self_.pose.heading}; }
   const Frame2& frame() const { return frame_; }  // converts between robot frame and field frame
-  // Until the next update(). balls(): hypotheses, the best first. opponents(), teammates(): in any order, without
-  // numbers.
+  // Until the next update(). balls(): hypotheses, the best first. Others: robots in any order, without shirt numbers.
   std::span<const regista_track> balls() const { return balls_; }
   std::span<const regista_track> opponents() const { return opponents_; }
   std::span<const regista_track> teammates() const { return teammates_; }
