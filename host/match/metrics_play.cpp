@@ -2,6 +2,7 @@
 #include "match/metrics_play.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "match/placement.hpp"
@@ -24,19 +25,16 @@ std::optional<Begun> Clearances::rolled(Vector ball) {
 
 void Duels::sample(std::span<const BodyState> bodies, RobotSet able, double time) {
   const Vector ball{bodies.back().x, bodies.back().y};
-  std::array<int, 2> nearest{-1, -1};
-  std::array<double, 2> least{};  // m^2
-  for (const int id : Members(able & roster_.everybody())) {
-    const BodyState& body = bodies[at(id)];
-    const double distance = squared_length(Vector{body.x, body.y} - ball);
-    const std::size_t side = index(roster_.side(id));
-    if (distance > duel_reach * duel_reach || (nearest[side] >= 0 && distance >= least[side])) continue;
-    nearest[side] = id;
-    least[side] = distance;
-  }
-  holds_ = nearest[0] >= 0 && nearest[1] >= 0;
+  const auto squared_distance = [&](int id) {
+    return squared_length(Vector{bodies[at(id)].x, bodies[at(id)].y} - ball);
+  };
+  const std::array<int, 2> nearest{with_least(able & roster_.team(Side::home), squared_distance),
+                                   with_least(able & roster_.team(Side::away), squared_distance)};
+  holds_ =
+      std::ranges::all_of(nearest, [&](int id) { return id >= 0 && squared_distance(id) <= duel_reach * duel_reach; });
   if (holds_) {
-    if (!duel_) duel_ = {nearest, least[0] <= least[1] ? Side::home : Side::away, time, ball, 0, {}};
+    const bool home_is_nearer = squared_distance(nearest[0]) <= squared_distance(nearest[1]);
+    if (!duel_) duel_ = {nearest, home_is_nearer ? Side::home : Side::away, time, ball, 0, {}};
     ++duel_->samples;
   } else if (duel_ && seconds(duel_->samples) < shortest_duel) {
     duel_.reset();
@@ -72,28 +70,21 @@ void PlayMeasures::tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) 
                .receiver = begun.receiver});
 }
 
-void PlayMeasures::end_shot(PlayOutcome outcome) {
-  if (!shot_) return;
-  PlayMetrics& shooting = counts(roster_.side(shot_->robot));
-  if (outcome == PlayOutcome::goal) ++shooting.shots_scored;
-  if (outcome == PlayOutcome::saved) ++shooting.shots_saved;
-  tell(PlayKind::shot, *shot_, outcome);
-  shot_.reset();
-}
-
-void PlayMeasures::end_pass(PlayOutcome outcome) {
-  if (!pass_) return;
-  PlayMetrics& passing = counts(roster_.side(pass_->robot));
-  if (outcome == PlayOutcome::arrived) ++passing.meant_passes_arrived;
-  if (outcome == PlayOutcome::intercepted) ++passing.meant_passes_intercepted;
-  tell(PlayKind::pass, *pass_, outcome);
-  pass_.reset();
+void PlayMeasures::end(std::optional<Begun>& play, PlayOutcome outcome) {
+  if (!play) return;
+  PlayMetrics& own = counts(roster_.side(play->robot));
+  if (outcome == PlayOutcome::goal) ++own.shots_scored;
+  if (outcome == PlayOutcome::saved) ++own.shots_saved;
+  if (outcome == PlayOutcome::arrived) ++own.meant_passes_arrived;
+  if (outcome == PlayOutcome::intercepted) ++own.meant_passes_intercepted;
+  tell(&play == &shot_ ? PlayKind::shot : PlayKind::pass, *play, outcome);
+  play.reset();
 }
 
 void PlayMeasures::pass_met_by(int robot) {
   if (!pass_ || pass_->robot == robot) return;
   const bool own = roster_.side(pass_->robot) == roster_.side(robot);
-  end_pass(own ? PlayOutcome::arrived : PlayOutcome::intercepted);
+  end(pass_, own ? PlayOutcome::arrived : PlayOutcome::intercepted);
 }
 
 void PlayMeasures::end_duel(const std::optional<Duels::Duel>& duel) {
@@ -142,11 +133,11 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   end_duel(duels_.touched(side));
   clearances_.touched(robot);
   // The shot has missed if the ball was not on target before this touch, for example after it hit a goal post.
-  if (shot_ && !on_target(roster_.side(shot_->robot), ball_, half)) end_shot(PlayOutcome::missed);
+  if (shot_ && !on_target(roster_.side(shot_->robot), ball_, half)) end(shot_, PlayOutcome::missed);
   bool saved = false;
   if (shot_ && !on_target(roster_.side(shot_->robot), ball, half)) {
     saved = side != roster_.side(shot_->robot);
-    end_shot(saved ? PlayOutcome::saved : PlayOutcome::missed);
+    end(shot_, saved ? PlayOutcome::saved : PlayOutcome::missed);
   }
   if (!shot_ && on_target(side, ball, half)) {
     ++counts(side).shots;
@@ -165,7 +156,7 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
 
 void PlayMeasures::kicked(int id, int receiver) {
   pass_met_by(id);
-  end_pass(PlayOutcome::lost);
+  end(pass_, PlayOutcome::lost);
   clearances_.drop();
   if (receiver == 0) {
     // A goal kick or other set play is not a clearance. In a set play ball_placed() has cleared last_.
@@ -177,8 +168,8 @@ void PlayMeasures::kicked(int id, int receiver) {
 }
 
 void PlayMeasures::scored(Side side) {
-  end_pass(PlayOutcome::lost);
-  if (shot_) end_shot(roster_.side(shot_->robot) == side ? PlayOutcome::goal : PlayOutcome::missed);
+  end(pass_, PlayOutcome::lost);
+  if (shot_) end(shot_, roster_.side(shot_->robot) == side ? PlayOutcome::goal : PlayOutcome::missed);
   end_duel(duels_.scored(side));
 }
 
@@ -188,8 +179,8 @@ void PlayMeasures::ball_placed() {
 }
 
 void PlayMeasures::finish() {
-  end_pass(PlayOutcome::lost);
-  end_shot(PlayOutcome::missed);
+  end(pass_, PlayOutcome::lost);
+  end(shot_, PlayOutcome::missed);
   end_duel(duels_.dead());
   clearances_.drop();
 }
@@ -259,34 +250,26 @@ RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, Ro
 void BallMeasures::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
   ++samples_;
   const BodyState& ball = bodies.back();
-  const Vector place{ball.x, ball.y};
   const RobotSet goes = chasing(state, ball, able);
+  const auto squared_distance = [&](int id) {
+    return squared_length(Vector{bodies[at(id)].x, bodies[at(id)].y} - Vector{ball.x, ball.y});
+  };
   bool neglected = false;
   int near = 0;
   for (const Side side : both_sides) {
-    int nearest = -1, chasing = 0;
-    double least = 0.0;  // m^2
-    for (const int id : Members(roster_.team(side) & ~state.all_penalised(roster_))) {
-      const BodyState& body = bodies[at(id)];
-      const double distance = squared_length(Vector{body.x, body.y} - place);
-      if (distance <= near_ball * near_ball) {
-        ++teams_[index(side)].near;
-        ++near;
-      }
-      if (!contains(able, id)) continue;
-      if (nearest < 0 || distance < least) {
-        nearest = id;
-        least = distance;
-      }
-      if (contains(goes, id)) ++chasing;
-    }
     Team& team = teams_[index(side)];
-    if (chasing >= 2) ++team.several;
+    const RobotSet active = roster_.team(side) & ~state.all_penalised(roster_);
+    const int near_of_team =
+        std::popcount(those(active, [&](int id) { return squared_distance(id) <= near_ball * near_ball; }));
+    team.near += near_of_team;
+    near += near_of_team;
+    if (std::popcount(goes & active) >= 2) ++team.several;
+    const int nearest = with_least(active & able, squared_distance);
     if (nearest < 0) continue;
     ++team.nearest;
     if (contains(goes, nearest)) ++team.nearest_plays;
     const double reach = within_reach_[index(side)];
-    if (least <= reach * reach) neglected = true;
+    if (squared_distance(nearest) <= reach * reach) neglected = true;
   }
   if (near >= crowd) ++crowd_;
   if (!neglected || squared_length({ball.vx, ball.vy}) >= at_rest * at_rest) {

@@ -140,8 +140,7 @@ class PlayMeasures {
     Vector ball;
   };
   void touched(int robot, const Ball& ball, int half);
-  void end_shot(PlayOutcome outcome);
-  void end_pass(PlayOutcome outcome);
+  void end(std::optional<Begun>& play, PlayOutcome outcome);  // play: shot_ or pass_
   void pass_met_by(int robot);  // ends the meant pass if another robot touches or kicks the ball
   void end_duel(const std::optional<Duels::Duel>& duel);
   void tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) const;

@@ -442,14 +442,11 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
 
   RecordedMoment out;
   out.game = reading(file_, "a state of the game", [&] { return game(nlohmann::json::parse(last["/game"])); });
-  if (!last[decisions].empty()) {
-    out.decision =
-        reading(file_, "a message of " + decisions, [&] { return decision(nlohmann::json::parse(last[decisions])); });
-  }
-  if (!last[beliefs].empty()) {
-    out.belief =
-        reading(file_, "a message of " + beliefs, [&] { return belief(nlohmann::json::parse(last[beliefs])); });
-  }
+  const auto told = [&](const std::string& topic, auto read) {
+    return reading(file_, "a message of " + topic, [&] { return read(nlohmann::json::parse(last[topic])); });
+  };
+  if (!last[decisions].empty()) out.decision = told(decisions, decision);
+  if (!last[beliefs].empty()) out.belief = told(beliefs, belief);
   out.drawings = reading(file_, "a message of /draw", [&] { return drawings.drawings(); });
   out.log = reading(file_, "a message of /log", [&] { return log.lines(); });
   return out;
