@@ -17,14 +17,6 @@ PluginMeasures::PluginMeasures(std::vector<mind::TeamMetric> metrics, int team_s
   }
 }
 
-void PluginMeasures::Combined::add(std::uint64_t more, double sum_of_more, double least_of_more,
-                                   double greatest_of_more) {
-  least = count == 0 ? least_of_more : std::min(least, least_of_more);
-  greatest = count == 0 ? greatest_of_more : std::max(greatest, greatest_of_more);
-  count += more;
-  sum += sum_of_more;
-}
-
 void PluginMeasures::decided(int number, std::span<const mind::MetricReport> reports) {
   for (const mind::MetricReport& each : reports) {
     const auto metric = static_cast<std::size_t>(each.metric);
@@ -36,7 +28,7 @@ void PluginMeasures::decided(int number, std::span<const mind::MetricReport> rep
       else
         known->value = each.last;
     } else {
-      combined_[metric].add(each.count, each.sum, each.least, each.greatest);
+      combined_[metric].add(each);
     }
   }
 }
@@ -50,7 +42,7 @@ void PluginMeasures::crashed(int number) {
 void PluginMeasures::sample() {
   for (std::size_t i = 0; i < last_told_.size(); ++i) {
     for (const std::vector<Told>& robot : last_told_[i]) {
-      for (const Told& each : robot) combined_[i].add(1, each.value, each.value, each.value);
+      for (const auto& [place, value] : robot) combined_[i].add({0, place, 1, value, value, value, value});
     }
   }
 }
@@ -58,7 +50,7 @@ void PluginMeasures::sample() {
 PluginMetrics PluginMeasures::result() const {
   PluginMetrics out;
   for (std::size_t i = 0; i < metrics_.size(); ++i) {
-    const Combined& all = combined_[i];
+    const mind::MetricReport& all = combined_[i];
     if (metrics_[i].combine == REGISTA_METRIC_SUM) {
       out.total_names.push_back(metrics_[i].name);
       out.totals.push_back(all.sum);

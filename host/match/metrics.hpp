@@ -48,18 +48,13 @@ class PluginMeasures {  // computes PluginMetrics
   PluginMetrics result() const;
 
  private:
-  struct Combined {
-    std::uint64_t count = 0;
-    double sum = 0.0, least = 0.0, greatest = 0.0;
-    void add(std::uint64_t more, double sum_of_more, double least_of_more, double greatest_of_more);
-  };
   struct Told {
     std::int32_t place;  // place of the plugin's instance in the mind
     double value;
   };
 
   std::vector<mind::TeamMetric> metrics_;
-  std::vector<Combined> combined_;                         // by metric
+  std::vector<mind::MetricReport> combined_;               // by metric
   std::vector<std::vector<std::vector<Told>>> last_told_;  // by metric and robot: last reports, for means over time
 };
 

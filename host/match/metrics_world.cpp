@@ -66,12 +66,11 @@ void WorldMeasures::sample(std::uint32_t active) {
 
 void WorldMeasures::compare(int number, const Belief& belief, const Truth& truth) {
   ball_.add(belief.ball, truth.ball);
-  for (std::size_t i = 0; i < truth.own.size(); ++i) {
-    if ((truth.active >> i & 1u) == 0) continue;
-    if (static_cast<int>(i) == number - 1) {
-      self_.add(belief.self, truth.own[i]);
+  for (const int i : Members(truth.active)) {
+    if (i == number - 1) {
+      self_.add(belief.self, truth.own[at(i)]);
     } else {
-      teammates_.add(belief.teammates[i], truth.own[i]);
+      teammates_.add(belief.teammates[at(i)], truth.own[at(i)]);
     }
   }
   const OspaParts parts = ospa_(belief.opponents, truth.opponents);

@@ -226,7 +226,9 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
 
   const DistributedWorldModel& utility_world = world_for(context().utility_knowledge, worlds);
   estimate_times(utility_world);
-  estimate_utilities(utility_world);
+  const auto index = static_cast<std::size_t>(decision_.context);
+  decision_.utility.estimate(parts_[index].terms, plan_->contexts()[index].terms, decision_.frame, utility_world.active,
+                             decision_.columns);
   assign(utility_world);
   take_own_role();
   return decision_;
@@ -333,12 +335,6 @@ void Coordination::estimate_times(const DistributedWorldModel& world) {
     }
   }
   decision_.frame.time_to_task = matrix(decision_.time_to_task, rows, columns);
-}
-
-void Coordination::estimate_utilities(const DistributedWorldModel& world) {
-  const auto context = static_cast<std::size_t>(decision_.context);
-  decision_.utility.estimate(parts_[context].terms, plan_->contexts()[context].terms, decision_.frame, world.active,
-                             decision_.columns);
 }
 
 void Coordination::assign(const DistributedWorldModel& world) {

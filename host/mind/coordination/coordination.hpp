@@ -152,7 +152,6 @@ class Coordination {
   void keep_tasks(const DistributedWorldModel& world);
   void offset_tasks();
   void estimate_times(const DistributedWorldModel& world);
-  void estimate_utilities(const DistributedWorldModel& world);
   void assign(const DistributedWorldModel& world);
   void take_own_role();
 

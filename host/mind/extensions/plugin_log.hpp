@@ -6,6 +6,7 @@
 
 #include <regista/extensions/draw.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -149,8 +150,16 @@ struct TeamMetric {
 struct MetricReport {
   std::int32_t metric = 0;
   std::int32_t place = 0;  // place of the instance in the robot's mind
-  std::uint32_t count = 0;
+  std::uint64_t count = 0;
   double sum = 0.0, least = 0.0, greatest = 0.0, last = 0.0;
+
+  void add(const MetricReport& later) {
+    least = count == 0 ? later.least : std::min(least, later.least);
+    greatest = count == 0 ? later.greatest : std::max(greatest, later.greatest);
+    count += later.count;
+    sum += later.sum;
+    last = later.last;
+  }
 };
 
 class MetricReports {
