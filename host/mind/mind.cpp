@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 #include "config/rules.hpp"
@@ -281,11 +282,8 @@ Report Mind::Impl::report(const Percepts& percepts) const {
   }
   // Chooses the five opponents that were seen last; of two opponents with equal age, the likelier one.
   std::array<regista_track, Report::most_opponents> youngest;
-  const auto younger = [](const regista_track& a, const regista_track& b) {
-    if (a.age != b.age) return a.age < b.age;
-    return a.weight != b.weight ? a.weight > b.weight : a.label < b.label;
-  };
-  const auto end = std::ranges::partial_sort_copy(world.local().opponents(), youngest, younger).out;
+  const auto key = [](const regista_track& track) { return std::tuple(track.age, -track.weight, track.label); };
+  const auto end = std::ranges::partial_sort_copy(world.local().opponents(), youngest, {}, key, key).out;
   for (const regista_track& track : std::span(youngest.begin(), end)) {
     if (track.age > Report::tells_opponents_for) break;
     report.opponents[report.opponent_count++] = {

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "regista/abi.h"
@@ -54,16 +55,12 @@ class TaskFilter {
             std::vector<std::size_t>& kept);
 
  private:
-  struct Candidate {
-    double distance;
-    std::size_t index;
-  };
   double distance_to_waypoint(const regista_task& task, std::size_t index,
                               std::span<const regista_waypoint> waypoints) const;
 
   std::vector<double> free_x_, free_y_;  // coordinates of free waypoints: without task and robot
   bool some_belong_to_tasks_ = false;
-  std::vector<Candidate> candidates_;
+  std::vector<std::pair<double, std::size_t>> candidates_;  // distance and index of the task
   std::vector<char> chosen_;
 };
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mind/world/fusion.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 

@@ -142,36 +142,28 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   area.y = self_.y;
   area.heading = wrap(self_.pose.heading + percepts.view.heading);
 
-  if (dt > 0.0) ball_model_.predict(dt, &motion, last);
-  measurements_.clear();
-  for (const BallSighting& ball : percepts.balls) {
-    add_in_field_frame(REGISTA_MEASURED_BALL, ball.position, ball.along, ball.across);
-  }
-  sighted_ = !percepts.balls.empty();
-  if (ball_on_centre) {
-    set_position_covariance(add(REGISTA_MEASURED_BALL, 0.0, 0.0), 0.0025, 0.0, 0.0025);
-  }
-  if (percepts.camera || !measurements_.empty()) ball_model_.correct(measurements_, area);
-  balls_ = ball_model_.tracks();
-
-  opponents_ = update_robots(opponent_model_, percepts, false, dt, motion, last, area);
-  teammates_ = update_robots(teammate_model_, percepts, true, dt, motion, last, area);
-}
-
-std::span<const regista_track> LocalModel::update_robots(plugin::Predictor& model, const Percepts& percepts,
-                                                         bool own_team, double dt, const regista_motion& motion,
-                                                         const regista_frame* last, const regista_visible_area& area) {
-  if (dt > 0.0) model.predict(dt, &motion, last);
-  if (percepts.camera) {
+  const auto updated = [&](plugin::Predictor& model, auto measure) {
+    if (dt > 0.0) model.predict(dt, &motion, last);
     measurements_.clear();
-    for (const RobotSighting& robot : percepts.robots) {
-      if (robot.own_team == own_team) {
-        add_in_field_frame(REGISTA_MEASURED_ROBOT, robot.position, robot.along, robot.across);
-      }
+    measure();
+    if (percepts.camera || !measurements_.empty()) model.correct(measurements_, area);
+    return model.tracks();
+  };
+  balls_ = updated(ball_model_, [&] {
+    for (const BallSighting& ball : percepts.balls) {
+      add_in_field_frame(REGISTA_MEASURED_BALL, ball.position, ball.along, ball.across);
     }
-    model.correct(measurements_, area);
-  }
-  return model.tracks();
+    if (ball_on_centre) set_position_covariance(add(REGISTA_MEASURED_BALL, 0.0, 0.0), 0.0025, 0.0, 0.0025);
+  });
+  sighted_ = !percepts.balls.empty();
+  const auto measure_robots = [&](bool own_team) {
+    for (const RobotSighting& robot : percepts.robots) {
+      if (!percepts.camera || robot.own_team != own_team) continue;
+      add_in_field_frame(REGISTA_MEASURED_ROBOT, robot.position, robot.along, robot.across);
+    }
+  };
+  opponents_ = updated(opponent_model_, [&] { measure_robots(false); });
+  teammates_ = updated(teammate_model_, [&] { measure_robots(true); });
 }
 
 TeamModel::TeamModel(int team_size, const config::Camera& camera, plugin::Predictor teammates,

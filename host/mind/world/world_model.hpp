@@ -97,9 +97,6 @@ class LocalModel {
 
  private:
   void measure_self(const Percepts& percepts);
-  std::span<const regista_track> update_robots(plugin::Predictor& model, const Percepts& percepts, bool own_team,
-                                               double dt, const regista_motion& motion, const regista_frame* last,
-                                               const regista_visible_area& area);
   regista_measurement& add(int kind, double x, double y);
   void add_in_field_frame(int kind, const Vector2d& seen, double along, double across);
 
