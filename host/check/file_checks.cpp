@@ -41,20 +41,13 @@ constexpr int own_machine = EM_AARCH64;
 #endif
 
 const char* machine_name(int machine) {
-  switch (machine) {
-    case EM_386:
-      return "32-bit x86";
-    case EM_X86_64:
-      return "x86-64";
-    case EM_ARM:
-      return "32-bit ARM";
-    case EM_AARCH64:
-      return "AArch64";
-    case EM_RISCV:
-      return "RISC-V";
-    default:
-      return "another machine";
-  }
+  constexpr std::array<std::pair<int, const char*>, 5> names{{{EM_386, "32-bit x86"},
+                                                              {EM_X86_64, "x86-64"},
+                                                              {EM_ARM, "32-bit ARM"},
+                                                              {EM_AARCH64, "AArch64"},
+                                                              {EM_RISCV, "RISC-V"}}};
+  const auto found = std::ranges::find_if(names, [machine](const auto& each) { return each.first == machine; });
+  return found == names.end() ? "another machine" : found->second;
 }
 
 void read_dynamic(const plugin::DynamicPart& part, ObjectFile& out) {

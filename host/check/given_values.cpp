@@ -76,11 +76,7 @@ void GivenValues::give(const std::string& id, testkit::Values& values) const {
   const auto own = of_.find(id);
   if (own == of_.end()) return;
   for (const auto& [name, value] : own->second) {
-    if (const auto* const number = std::get_if<double>(&value)) {
-      values.set(name, *number);
-    } else {
-      values.set(name, std::string_view(std::get<std::string>(value)));
-    }
+    std::visit([&, &to = name](const auto& each) { values.set(to, each); }, value);
   }
 }
 

@@ -450,18 +450,11 @@ const std::vector<MetricRow>& metric_table() {
 }
 
 std::vector<std::string> metric_members(const MetricRow& row, const MemberNames& team) {
-  switch (row.of) {
-    case Of::role:
-      return team.roles;
-    case Of::event:
-      return team.reasons;
-    case Of::plugin_total:
-      return team.plugin_totals;
-    case Of::plugin_value:
-      return team.plugin_values;
-    default:
-      return {""};
-  }
+  if (row.of == Of::role) return team.roles;
+  if (row.of == Of::event) return team.reasons;
+  if (row.of == Of::plugin_total) return team.plugin_totals;
+  if (row.of == Of::plugin_value) return team.plugin_values;
+  return {""};
 }
 
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles) {

@@ -294,28 +294,6 @@ class DrawingsOfRobot {
   std::vector<std::string> messages_;                                  // last message of each layer, at its place
 };
 
-class LogOfRobot {
- public:
-  explicit LogOfRobot(const RobotName& robot) : robot_(robot) {}
-  void take(std::string_view message) {
-    if (!is_of(robot_, heading_of(message, R"(,"plugin":)", {"side", "robot"}))) return;
-    last_.emplace_back(message);
-    if (last_.size() > most_log_lines) last_.pop_front();
-  }
-  std::vector<RecordedLogLine> lines() const {
-    std::vector<RecordedLogLine> out;
-    for (const std::string& message : last_) {
-      const nlohmann::json json = nlohmann::json::parse(message);
-      out.push_back({json.at("time"), json.at("plugin"), json.at("level"), json.at("text")});
-    }
-    return out;
-  }
-
- private:
-  RobotName robot_;
-  std::deque<std::string> last_;
-};
-
 }  // namespace
 
 RecordedMatch::RecordedMatch(const std::filesystem::path& file) : file_(file) {
@@ -426,14 +404,17 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   mcap::Message message;
   std::string told_before;
   DrawingsOfRobot drawings(robot.value_or(RobotName{}));
-  LogOfRobot log(robot.value_or(RobotName{}));
+  std::deque<std::string> log;  // the last messages of /log
   const std::uint64_t log_begins = log_time(time - log_seconds);
   while (next(reader, message, told_before)) {
     const std::string& topic = reader.channels().at(message.channel).topic;
     if (topic == "/draw") {
       reading(file_, "a message of /draw", [&] { drawings.take(message.data); });
     } else if (topic == "/log") {
-      if (message.log_time >= log_begins) reading(file_, "a message of /log", [&] { log.take(message.data); });
+      const auto of_robot = [&] { return is_of(*robot, heading_of(message.data, R"(,"plugin":)", {"side", "robot"})); };
+      if (message.log_time < log_begins || !reading(file_, "a message of /log", of_robot)) continue;
+      log.emplace_back(message.data);
+      if (log.size() > most_log_lines) log.pop_front();
     } else {
       last[topic] = message.data;
     }
@@ -448,7 +429,12 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   if (!last[decisions].empty()) out.decision = told(decisions, decision);
   if (!last[beliefs].empty()) out.belief = told(beliefs, belief);
   out.drawings = reading(file_, "a message of /draw", [&] { return drawings.drawings(); });
-  out.log = reading(file_, "a message of /log", [&] { return log.lines(); });
+  reading(file_, "a message of /log", [&] {
+    for (const std::string& each : log) {
+      const nlohmann::json json = nlohmann::json::parse(each);
+      out.log.push_back({json.at("time"), json.at("plugin"), json.at("level"), json.at("text")});
+    }
+  });
   return out;
 }
 

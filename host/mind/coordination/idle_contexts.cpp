@@ -75,9 +75,9 @@ class SyntheticGame {
     clock_ = dice.chance(0.5) ? dice.real(0.0, rules.durations.half)
                               : rules.durations.half - dice.log_real(0.1, rules.durations.half);
     const int difference = dice.below(2 * rules.mercy_difference - 1) - (rules.mercy_difference - 1);
-    least_score_ = dice.below(3);
-    own_lead_ = std::max(0, difference);
-    opponent_lead_ = std::max(0, -difference);
+    const int least_score = dice.below(3);
+    own_score_ = least_score + std::max(0, difference);
+    opponent_score_ = least_score + std::max(0, -difference);
     stage();
     ball_known_ = dice.chance(0.85);
     ball_seen_ = dice.chance(0.5);
@@ -123,8 +123,8 @@ class SyntheticGame {
     game.set_play = set_play_;
     game.own_kick = own_kick_ ? 1 : 0;
     game.half = half_;
-    game.own_score = least_score_ + own_lead_;
-    game.opponent_score = least_score_ + opponent_lead_;
+    game.own_score = own_score_;
+    game.opponent_score = opponent_score_;
     game.phase_time = time(number) - phase_began_;
     game.time_left = std::max(0.0, plan_->rules().durations.half - clock_ - number * interval_);
     world_.close();
@@ -167,7 +167,7 @@ class SyntheticGame {
   const TeamPlan* plan_;
   Dice* dice_;
   double interval_ = 0.1, clock_ = 0.0, phase_began_ = 0.0;
-  int half_ = 1, least_score_ = 0, own_lead_ = 0, opponent_lead_ = 0;
+  int half_ = 1, own_score_ = 0, opponent_score_ = 0;
   int phase_ = REGISTA_PHASE_PLAYING, set_play_ = REGISTA_SET_PLAY_NONE;
   bool own_kick_ = false, ball_known_ = true, ball_seen_ = true, still_ = false;
   double ball_age_ = 0.0, reach_ = 1.0;

@@ -220,10 +220,8 @@ void TeamModel::absorb_ball(const Report& report, double age, plugin::Predictor&
     model.absorb(told_, age);  // replaces the known track without merge_told(), because only one ball exists
     return;
   }
-  merge(model,
-        {report.pose, camera_.half_angle + camera_.head_yaw, camera_.ball_range, camera_.ball_probability,
-         Report::tells_ball_for, true},
-        age);
+  const double half_angle = camera_.half_angle + camera_.head_yaw;
+  merge(model, {report.pose, half_angle, camera_.ball_range, camera_.ball_probability, Report::tells_ball_for}, age);
 }
 
 void TeamModel::absorb_opponents(const Report& report, double age, plugin::Predictor& model) {
