@@ -80,8 +80,7 @@ Vector Body::launch(const mind::KickRequest& request, std::uint32_t tick) const 
 void Body::jostled(double time, std::uint32_t tick) {
   if (fallen(time)) return;
   Chance chance(seed_, Purpose::fall, side_, number_, 0, tick);
-  if (!chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) return;
-  fall(time);
+  if (chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) fall(time);
 }
 
 void Body::fall(double time) {

@@ -98,7 +98,6 @@ class OngoingMatch {
   void observe();
   Robot& robot(int id) { return robots_[at(id)]; }
   double ball_distance(int id) const;  // m; infinite if the ball is beside or behind the robot, where no foot reaches
-  [[noreturn]] void refuse(int id, const std::string& why) const;
 
   const Setup& setup_;
   const Observer& observer_;
@@ -167,11 +166,6 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
     percepts.robots.reserve(2 * largest_team);
     percepts.landmarks.reserve(most_points);
   }
-}
-
-void OngoingMatch::refuse(int id, const std::string& why) const {
-  throw std::runtime_error(
-      fmt::format("{} robot {} at {:f} s: {}", name(roster_.side(id)), roster_.number(id), time_, why));
 }
 
 double OngoingMatch::ball_distance(int id) const {
@@ -264,7 +258,7 @@ void OngoingMatch::decide(int id) {
           unsound(outcome, robot.profile,
                   {setup_.roles[index(side)].size(), metrics_.reasons(side), metrics_.plugin_metrics(side)});
       !why.empty()) {
-    refuse(id, why);
+    throw std::runtime_error(fmt::format("{} robot {} at {:f} s: {}", name(side), number, time_, why));
   }
 
   add(digest_, outcome);

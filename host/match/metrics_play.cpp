@@ -205,15 +205,11 @@ void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bod
     Team& team = teams_[index(side)];
     team.ball_x += x;
     if (x > 0.0) ++team.in_opponent_half;
-    if (!keeps_goal(side, state.half, bodies, able)) ++team.goal_empty;
+    const RobotSet keepers = those(able & roster_.team(side), [&](int id) {
+      return in_penalty_area(field_, -attack(side, state.half), {bodies[at(id)].x, bodies[at(id)].y});
+    });
+    if (keepers == 0) ++team.goal_empty;
   }
-}
-
-bool PlayMeasures::keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const {
-  return those(able & roster_.team(side), [&](int id) {
-           const BodyState& body = bodies[at(id)];
-           return in_penalty_area(field_, -attack(side, half), {body.x, body.y});
-         }) != 0;
 }
 
 PlayMetrics PlayMeasures::result(Side side) const {
@@ -237,13 +233,11 @@ BallMeasures::BallMeasures(int team_size, const std::array<config::Robot, 2>& ro
   for (std::size_t i = 0; i < 2; ++i) within_reach_[i] = robots[i].body.radius + soon * robots[i].walk.forward;
 }
 
-bool BallMeasures::Decision::goes_for(const Vector& ball) const {
-  return plays || kicks || (target && squared_length(*target - ball) <= for_the_ball * for_the_ball);
-}
-
 RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
   return those(able & roster_.everybody() & ~state.all_penalised(roster_), [&](int id) {
-    return decisions_[at(id)].goes_for(attack(roster_.side(id), state.half) * Vector{ball.x, ball.y});
+    const auto& [plays, kicks, target] = decisions_[at(id)];
+    const Vector place = attack(roster_.side(id), state.half) * Vector{ball.x, ball.y};
+    return plays || kicks || (target && squared_length(*target - place) <= for_the_ball * for_the_ball);
   });
 }
 

@@ -147,8 +147,6 @@ class PlayMeasures {
   bool on_target(Side side, const Ball& ball, int half) const;
   PlayMetrics& counts(Side side) { return teams_[index(side)].counts; }
 
-  bool keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const;
-
   Roster roster_;
   config::FieldSize field_;
   // goal_line_: |x| of the ball's centre at which the whole ball is behind the goal line, m. half_goal_: half the
@@ -221,7 +219,6 @@ class BallMeasures {
   struct Decision {
     bool plays = false, kicks = false;
     std::optional<Vector> target;
-    bool goes_for(const Vector& ball) const;
   };
   struct Team {
     int near = 0;                                     // sum over samples of the number of robots near the ball

@@ -76,11 +76,10 @@ void Sensing::tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t 
   const config::Odometry& odometry = profile_.odometry;
   Chance chance(seed_, purpose, side_, number_, 0, tick);
   mind::Pose pose = in_field_frame(world, mirrored_ ? -direction_ : direction_);
-  const mind::Pose& bias = bias_;
   const double sign = mirrored_ ? -1.0 : 1.0;
-  pose.x += sign * bias.x + odometry.placing_noise * chance.normal();
-  pose.y += sign * bias.y + odometry.placing_noise * chance.normal();
-  pose.heading = mind::wrap(pose.heading + bias.heading + odometry.placing_turn_noise * chance.normal());
+  pose.x += sign * bias_.x + odometry.placing_noise * chance.normal();
+  pose.y += sign * bias_.y + odometry.placing_noise * chance.normal();
+  pose.heading = mind::wrap(pose.heading + bias_.heading + odometry.placing_turn_noise * chance.normal());
   placed_ = mind::PlacedPose{pose, odometry.placing_noise, odometry.placing_turn_noise};
 }
 

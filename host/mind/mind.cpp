@@ -15,14 +15,6 @@ namespace {
 
 constexpr double time_rounding = 1e-3;  // s; packets round times to milliseconds
 
-void tell(const Decision& decision, Outcome& out) {
-  out.role = decision.own_role;
-  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
-  out.context = decision.context;
-  for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
-  if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
-}
-
 }  // namespace
 
 struct Mind::Impl {
@@ -119,7 +111,11 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   out.command = parts.act(percepts);
   parts.say_receiver(out.command);
   parts.decide_to_send(percepts, out);
-  tell(decision, out);
+  out.role = decision.own_role;
+  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
+  out.context = decision.context;
+  for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
+  if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
   if (parts.told_target) out.announced = Target{parts.told_target->x(), parts.told_target->y()};
   out.segments = parts.mailboxes.take_counts();
   parts.extensions.metrics().take(out.metrics);

@@ -229,11 +229,6 @@ using mind::Vector2d;
 
 constexpr double page_width = 720.0, page_margin = 8.0, page_head = 20.0, marker = 7.0, letter = 12.0;  // px
 
-void put(mind::DistributedWorldModel& world, const std::array<double, 2>& ball) {
-  world.ball_state.flags = REGISTA_BALL_KNOWN;
-  std::ranges::copy(ball, world.ball_state.position);
-}
-
 Html arrow(const Vector2d& at, const Vector2d& towards, const Scale& to) {
   const Vector2d way = towards - at;
   if (way.norm() < 1e-6) return {};
@@ -304,7 +299,8 @@ std::string roles_svg(const RolesToDraw& what, const config::FieldSize& field) {
   std::vector<Named> named;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     mind::DistributedWorldModel world(1);
-    if (known) put(world, balls[i]);
+    if (known) world.ball_state.flags = REGISTA_BALL_KNOWN;
+    std::ranges::copy(balls[i], world.ball_state.position);
     // The ball is at rest, so its deceleration has no influence.
     const mind::NamedPoints anchors(field, 1.0, world);
     for (const config::Role* role : what.roles) {

@@ -223,13 +223,6 @@ std::optional<std::string> packed(const std::filesystem::path& file) {
   return out;
 }
 
-std::string whole(const std::filesystem::path& path) {
-  const mcap::InputFile file(path);
-  std::string out;
-  file.read(0, static_cast<std::size_t>(file.size()), out);
-  return out;
-}
-
 // Each placeholder occurs once in the viewer's page; name_place comes before recording_place (viewer/README.md).
 constexpr std::string_view name_place = "@REGISTA_RECORDING_NAME@", recording_place = "@REGISTA_RECORDING@";
 constexpr std::string_view head_begin = "<head>\n<meta charset=\"utf-8\">\n";
@@ -242,7 +235,10 @@ std::string packed_recording(const std::filesystem::path& file) {
   } catch (const mcap::Error&) {
     // The file is damaged. The page gets it as it is and reads it as far as possible.
   }
-  return whole(file);
+  const mcap::InputFile whole(file);
+  std::string out;
+  whole.read(0, static_cast<std::size_t>(whole.size()), out);
+  return out;
 }
 
 std::optional<std::string> match_page(std::string_view viewer, std::string_view recording, std::string_view name,

@@ -19,7 +19,6 @@ std::int64_t milliseconds(double seconds) { return std::llround(seconds * 1e3); 
 
 std::string hexadecimal(const std::vector<std::uint8_t>& bytes) { return fmt::format("{:02x}", fmt::join(bytes, "")); }
 
-constexpr std::string_view nothing = "[]";
 constexpr double period = 0.5;  // s
 
 const char* word(std::int32_t shape) {
@@ -101,7 +100,7 @@ std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int r
     const auto found =
         std::ranges::find_if(own, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
     layer_of_.push_back(static_cast<std::size_t>(found - own.begin()));
-    if (found == own.end()) own.push_back({shape.plugin, shape.layer, std::string(nothing), -period});
+    if (found == own.end()) own.push_back({shape.plugin, shape.layer, "[]", -period});
   }
   for (std::size_t i = 0; i < own.size(); ++i) {
     Layer& each = own[i];

@@ -218,7 +218,12 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
   listed_in_.reset();
   world_for(rules.waypoints_knowledge, worlds);
   list_tasks(worlds, rules.waypoints_knowledge);
-  place();
+  const auto index = static_cast<std::size_t>(decision_.context);
+  if (auto& positioner = parts_[index].positioner) {
+    positioner->place(decision_.frame, decision_.placement);
+  } else {
+    forget_placement();
+  }
   list_tasks(worlds, rules.filter_knowledge);
   keep_tasks(worlds.of(rules.filter_knowledge));
   place_kept_tasks(worlds, rules.knowledge);
@@ -226,7 +231,6 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
 
   const DistributedWorldModel& utility_world = world_for(context().utility_knowledge, worlds);
   estimate_times(utility_world);
-  const auto index = static_cast<std::size_t>(decision_.context);
   decision_.utility.estimate(parts_[index].terms, plan_->contexts()[index].terms, decision_.frame, utility_world.active,
                              decision_.columns);
   assign(utility_world);
@@ -269,15 +273,6 @@ void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge know
     const config::TargetRule& rule = context().target_of(static_cast<std::size_t>(row.priority), *row.role);
     if (!listed) place_task(task, rule, points);
     if (face) face_task(task, rule, points);
-  }
-}
-
-void Coordination::place() {
-  auto& positioner = parts_[static_cast<std::size_t>(decision_.context)].positioner;
-  if (positioner) {
-    positioner->place(decision_.frame, decision_.placement);
-  } else {
-    forget_placement();
   }
 }
 

@@ -147,7 +147,6 @@ class Coordination {
   const Decision& decide_in_context(const Worlds& worlds);
   void list_tasks(const Worlds& worlds, config::Knowledge knowledge);
   void place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge);
-  void place();
   void forget_placement();
   void keep_tasks(const DistributedWorldModel& world);
   void offset_tasks();
