@@ -64,8 +64,8 @@ void count(benchmark::State& state, double seconds) {
 void bare_physics(benchmark::State& state) {
   double seconds = 0.0;
   for (auto _ : state) {
-    Replay replay(recorded().log);
-    seconds += seconds_of([&replay] { replay.run(); });
+    PhysicsWorld world(recorded().log.field, recorded().log.ball, recorded().log.robots);
+    seconds += seconds_of([&world] { world.replay(recorded().log); });
   }
   count(state, seconds);
 }
@@ -73,8 +73,8 @@ void bare_physics(benchmark::State& state) {
 void match_without_minds(benchmark::State& state) {
   double seconds = 0.0, bare = 0.0;
   for (auto _ : state) {
-    Replay replay(recorded().log);
-    bare += seconds_of([&replay] { replay.run(); });
+    PhysicsWorld world(recorded().log.field, recorded().log.ball, recorded().log.robots);
+    bare += seconds_of([&world] { world.replay(recorded().log); });
     const auto home = recorded().puppets(Side::home), away = recorded().puppets(Side::away);
     Result again;
     seconds += seconds_of([&] { again = play(recorded().setup, home, away); });

@@ -144,7 +144,7 @@ class Detection {
     for (int id = 0; id <= roster_.count(); ++id) {
       if (id == own || (id < roster_.count() && gone(id))) continue;
       const Vector way = from(bodies_[static_cast<std::size_t>(own)], bodies_[static_cast<std::size_t>(id)]);
-      const double bearing = match::wrapped(std::atan2(way.y, way.x) - percepts.view.heading);
+      const double bearing = mind::wrap(std::atan2(way.y, way.x) - percepts.view.heading);
       if (std::fabs(bearing) > percepts.view.half_angle || hidden(own, id, way)) continue;
       if (id < roster_.count()) {
         count(robots, way, seen(percepts.robots, way));

@@ -13,14 +13,13 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <sstream>
-#include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
+#include <utility>
 
 #include <regista/abi.h>
 
@@ -35,29 +34,20 @@ namespace fs = std::filesystem;
 
 #if defined(__x86_64__)
 constexpr int own_machine = EM_X86_64;
-constexpr auto own_machine_name = "x86-64";
 #elif defined(__aarch64__)
 constexpr int own_machine = EM_AARCH64;
-constexpr auto own_machine_name = "AArch64";
 #else
 #error "name this machine"
 #endif
 
 const char* machine_name(int machine) {
-  switch (machine) {
-    case EM_386:
-      return "32-bit x86";
-    case EM_X86_64:
-      return "x86-64";
-    case EM_ARM:
-      return "32-bit ARM";
-    case EM_AARCH64:
-      return "AArch64";
-    case EM_RISCV:
-      return "RISC-V";
-    default:
-      return "another machine";
-  }
+  constexpr std::array<std::pair<int, const char*>, 5> names{{{EM_386, "32-bit x86"},
+                                                              {EM_X86_64, "x86-64"},
+                                                              {EM_ARM, "32-bit ARM"},
+                                                              {EM_AARCH64, "AArch64"},
+                                                              {EM_RISCV, "RISC-V"}}};
+  const auto found = std::ranges::find_if(names, [machine](const auto& each) { return each.first == machine; });
+  return found == names.end() ? "another machine" : found->second;
 }
 
 void read_dynamic(const plugin::DynamicPart& part, ObjectFile& out) {
@@ -105,15 +95,15 @@ std::string wrong_with_header(Elf* elf) {
   GElf_Ehdr header;
   if (elf_kind(elf) != ELF_K_ELF || gelf_getehdr(elf, &header) == nullptr) return "is not a shared object";
   if (header.e_machine != own_machine) {
-    return fmt::format("is built for {}; this machine is {}", machine_name(header.e_machine), own_machine_name);
+    return fmt::format("is built for {}; this machine is {}", machine_name(header.e_machine),
+                       machine_name(own_machine));
   }
   if (header.e_type == ET_REL) return "is an object file that has not been linked (build it with -shared)";
   if (header.e_type != ET_DYN) return "is not a shared object";
   return {};
 }
 
-// Calls that no sound plugin needs, and the reasons. A plugin gets seeds from reset() and the time from the frame. The
-// process belongs to the host.
+// Calls that no sound plugin needs, and why. Seeds come from reset(), time from the frame; the process is the host's.
 struct Suspects {
   std::string_view why;
   std::array<std::string_view, 12> names;
@@ -155,8 +145,7 @@ std::string_view shown(std::string_view name) {
   return name;
 }
 
-// Libraries of the system, compilers and sanitizers, and libraries that shipped plugins need (for CGAL's exact
-// arithmetic). Names are without the version.
+// Libraries of the system, compilers and sanitizers, and of shipped plugins (CGAL's arithmetic), without the version.
 constexpr std::array<std::string_view, 15> everywhere{"libc",     "libm",    "libstdc++", "libgcc_s",  "libpthread",
                                                       "libdl",    "librt",   "libc++",    "libc++abi", "libasan",
                                                       "libubsan", "libtsan", "liblsan",   "libgmp",    "libmpfr"};
@@ -224,11 +213,10 @@ Outcome exports_of(const ObjectFile& object) {
     return {Status::fail, {"is no Regista plugin: it does not export " REGISTA_ENTRY_NAME}};
   }
   if (others.empty()) return {};
-  const std::size_t shown = std::min<std::size_t>(others.size(), 5);
-  std::string line =
-      fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}", texts::plural(others.size(), "symbol", "symbols"),
-                  fmt::join(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
-  if (shown < others.size()) line += ", ...";
+  const std::span shown = std::span(others).first(std::min<std::size_t>(others.size(), 5));
+  std::string line = fmt::format("exports {} beside " REGISTA_ENTRY_NAME ": {}",
+                                 texts::plural(others.size(), "symbol", "symbols"), fmt::join(shown, ", "));
+  if (shown.size() < others.size()) line += ", ...";
   return {Status::fail,
           {std::move(line),
            "others may take its symbols for their own: link it with a version script, as "
@@ -271,23 +259,20 @@ Outcome imports_of(const ObjectFile& object) {
 Outcome shake_hands(const fs::path& file, std::uint32_t plugins) {
   const Entry entry = entry_of(file);
   if (entry == nullptr) return {Status::fail, {"cannot be opened"}};
-  struct Version {
-    std::uint32_t major, minor;
-  };
   constexpr std::uint32_t largest = ~0u;
-  constexpr std::array versions{Version{REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR}, Version{0, 0}, Version{1, 0},
-                                Version{largest, largest}};
+  using Version = std::pair<std::uint32_t, std::uint32_t>;  // major, minor
   const auto own = [&](std::uint32_t index) { return entry(REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR, index); };
-  for (const Version& version : versions) {
-    const auto host = fmt::format("a host that speaks {}.{}", version.major, version.minor);
+  for (const auto& [of_major, of_minor] :
+       {Version{REGISTA_ABI_MAJOR, REGISTA_ABI_MINOR}, Version{0, 0}, Version{1, 0}, Version{largest, largest}}) {
+    const auto host = fmt::format("a host that speaks {}.{}", of_major, of_minor);
     for (std::uint32_t i = 0; i < plugins; ++i) {
-      if (entry(version.major, version.minor, i) != own(i)) {
+      if (entry(of_major, of_minor, i) != own(i)) {
         return {Status::fail,
                 {fmt::format("gives {} another answer for descriptor {}: what fits is the host's to decide", host, i)}};
       }
     }
     for (const std::uint32_t beyond : {plugins, plugins + 1, plugins + 1000, largest}) {
-      if (entry(version.major, version.minor, beyond) != nullptr) {
+      if (entry(of_major, of_minor, beyond) != nullptr) {
         return {Status::fail, {fmt::format("gives {} a descriptor {} though it has {}", host, beyond, plugins)}};
       }
     }

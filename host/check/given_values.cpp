@@ -4,29 +4,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 #include <regista/abi.h>
 
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
+#include "config/scalar.hpp"
 #include "plugin/description.hpp"
 #include "texts/message.hpp"
 
 namespace regista::check {
 namespace {
-
-std::optional<double> number_in(std::string_view text) {
-  double out = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(out)) return std::nullopt;
-  return out;
-}
 
 std::variant<double, std::string> value_of(const regista_parameter& declared, const std::string& text) {
   const auto wrong = [&](std::string expected) {
@@ -40,7 +32,7 @@ std::variant<double, std::string> value_of(const regista_parameter& declared, co
       throw wrong("true or false");
     case REGISTA_TYPE_REAL:
     case REGISTA_TYPE_INTEGER: {
-      const std::optional<double> number = number_in(text);
+      const std::optional<double> number = config::typed_number(text);
       const bool whole = declared.type == REGISTA_TYPE_INTEGER;
       if (number && *number >= declared.minimum && *number <= declared.maximum &&
           (!whole || *number == std::round(*number))) {
@@ -49,8 +41,7 @@ std::variant<double, std::string> value_of(const regista_parameter& declared, co
       throw wrong(fmt::format("a {}number from {} to {}", whole ? "whole " : "", declared.minimum, declared.maximum));
     }
     case REGISTA_TYPE_CHOICE: {
-      std::vector<std::string> choices;
-      for (std::uint32_t i = 0; i < declared.choice_count; ++i) choices.emplace_back(declared.choices[i]);
+      const std::vector<std::string> choices(declared.choices, declared.choices + declared.choice_count);
       const auto found = std::ranges::find(choices, text);
       if (found == choices.end()) {
         throw config::BadInput(texts::unknown("value", text, fmt::format("--set {}", declared.name), choices));
@@ -85,11 +76,7 @@ void GivenValues::give(const std::string& id, testkit::Values& values) const {
   const auto own = of_.find(id);
   if (own == of_.end()) return;
   for (const auto& [name, value] : own->second) {
-    if (const auto* const number = std::get_if<double>(&value)) {
-      values.set(name, *number);
-    } else {
-      values.set(name, std::string_view(std::get<std::string>(value)));
-    }
+    std::visit([&, &to = name](const auto& each) { values.set(to, each); }, value);
   }
 }
 

@@ -16,8 +16,7 @@ namespace regista::check {
 
 using GivenTexts = std::vector<std::pair<std::string, std::string>>;
 
-// The given values of parameters, by plugin. For a parameter that names a file, the text is a path and the value the
-// content of the file.
+// The given values of parameters, by plugin. For a file, the text is its path and the value its content.
 class GivenValues {
  public:
   GivenValues() = default;

@@ -7,18 +7,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
-#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <optional>
-#include <span>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <utility>
 
@@ -26,7 +21,6 @@
 #include "config/scalar.hpp"
 #include "plugin/process_state.hpp"
 #include "process/child.hpp"
-#include "process/file_descriptor.hpp"
 #include "process/sanitized.hpp"
 #include "texts/bytes.hpp"
 #include "texts/message.hpp"
@@ -97,7 +91,6 @@ class DescriptorTrap {
 
 // --- In the parent ---------------------------------------------------------------------------------------------------
 
-// The text from a pipe: its length, and its last bytes.
 struct Text {
   process::FileDescriptor pipe;
   std::size_t kept;  // bytes at the end that are kept
@@ -305,13 +298,12 @@ Outcome leaving_the_process_alone(const std::function<Outcome()>& check) {
   plugin::keep_orphans();
   const auto before = plugin::ProcessState::now();
   Outcome out = check();
-  const auto add = [&out](std::string line) {
+  for (const std::string& changed :
+       {plugin::FloatingPointState::now().changed_from(numbers), plugin::changes_since(before)}) {
+    if (changed.empty()) continue;
     out.status = Status::fail;
-    out.lines.push_back(std::move(line));
-  };
-  if (const std::string changed = plugin::FloatingPointState::now().changed_from(numbers); !changed.empty())
-    add(changed);
-  if (const std::string changed = plugin::changes_since(before); !changed.empty()) add(changed);
+    out.lines.push_back(changed);
+  }
   return out;
 }
 

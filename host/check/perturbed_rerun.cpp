@@ -10,13 +10,9 @@
 #include <cerrno>
 #include <cstdlib>
 #include <exception>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
-#include <regista/testkit/checks.hpp>
-
-#include "check/isolation.hpp"
 #include "config/errors.hpp"
 #include "config/scalar.hpp"
 #include "plugin/description.hpp"
@@ -108,6 +104,16 @@ std::vector<std::string> environment_elsewhere() {
   return out;
 }
 
+testkit::Options options_with(std::uint64_t seed, const GivenValues& given, const std::string& plugin, Underway& note) {
+  testkit::Options out;
+  out.seed = seed;
+  out.base = [&](testkit::Values& values) { given.give(plugin, values); };
+  out.underway = [&](const std::string& corner, const std::string& scene) {
+    note.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
+  };
+  return out;
+}
+
 Outcome play_perturbed(const Elsewhere& what, Underway& note) {
   // Reads the parameters before the working folder changes, because they may name files relative to the user's folder.
   const plugin::ScannedFile surveyed = std::move(plugin::scan_files(std::array{what.file}).front());
@@ -117,12 +123,7 @@ Outcome play_perturbed(const Elsewhere& what, Underway& note) {
   for (int i = 0; i < 17; ++i) std::rand();  // as if other code had drawn random numbers
   let_a_visitor_play(what, note);
   errno = ENOENT;
-  testkit::Options options;
-  options.seed = what.seed;
-  options.base = [&](testkit::Values& values) { given.give(what.plugin, values); };
-  options.underway = [&](const std::string& corner, const std::string& scene) {
-    note.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
-  };
+  const testkit::Options options = options_with(what.seed, given, what.plugin, note);
   auto* const deeper = static_cast<volatile char*>(::alloca(70'003));
   deeper[0] = 1;
   const testkit::Loaded plugin(what.file.string(), what.plugin);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Plays the scenario of a plugin (the calls by which the testkit checks its kind) again in other surroundings, which
-// must not change the answers. The program is started again, so code and data have other addresses. Its environment is
-// almost empty, and its working folder is another one. Another plugin plays first, so that an answer that depends on
-// other plugins in the process changes.
+// must not change the answers: the program is started again, so code and data have other addresses; the environment is
+// almost empty; the working folder is another one; and another plugin plays first.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include <regista/testkit/checks.hpp>
 
 #include "check/given_values.hpp"
 #include "check/isolation.hpp"
@@ -32,8 +33,10 @@ struct Elsewhere {
 // Returns the environment for the program that plays the scenario, each variable as "NAME=VALUE".
 std::vector<std::string> environment_elsewhere();
 
-// Plays the scenario. The outcome's only line is a hash of all answers. Changes the working folder and draws from
-// rand().
+// Returns options that give the plugin its values and write to `note` what is checked. The arguments must outlive them.
+testkit::Options options_with(std::uint64_t seed, const GivenValues& given, const std::string& plugin, Underway& note);
+
+// Plays the scenario. The only line is a hash of all answers. Changes the working folder and draws from rand().
 Outcome play_perturbed(const Elsewhere& what, Underway& note);
 
 }  // namespace regista::check

@@ -10,17 +10,13 @@
 #include <iterator>
 #include <new>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <system_error>
 
-#include <regista/testkit/checks.hpp>
 #include <regista/testkit/cost.hpp>
 #include <regista/testkit/kind_checks.hpp>
 
 #include "check/file_checks.hpp"
-#include "check/given_values.hpp"
-#include "check/isolation.hpp"
 #include "check/perturbed_rerun.hpp"
 #include "config/errors.hpp"
 #include "plugin/description.hpp"
@@ -75,9 +71,7 @@ std::vector<std::string> checks_of(std::int32_t kind) {
   for (const testkit::Check& check : testkit::contract(kind)) {
     if (check.name != "descriptor") out.push_back(kind_and(kind, check.name));
   }
-  out.push_back(kind_and(kind, "elsewhere"));
-  out.push_back(kind_and(kind, "alone"));
-  out.push_back(kind_and(kind, "cost"));
+  for (const char* check : {"elsewhere", "alone", "cost"}) out.push_back(kind_and(kind, check));
   return out;
 }
 
@@ -88,13 +82,9 @@ class FileCheck {
   FileCheck(const fs::path& file, const Options& options, const Listener& listener, Underway& note)
       : file_(fs::absolute(file)), options_(options), listener_(listener), object_(read_object(file_)), note_(note) {
     report_.file = texts::visible(file.string());
+    testkit_options_ = options_with(options_.seed, given_, plugin_, note_);
     testkit_options_.may_idle = options_.may_idle;
     testkit_options_.doubts_idleness = true;
-    testkit_options_.seed = options_.seed;
-    testkit_options_.base = [this](testkit::Values& values) { given_.give(plugin_, values); };
-    testkit_options_.underway = [this](const std::string& corner, const std::string& scene) {
-      note_.write(corner + (corner.empty() || scene.empty() ? "" : "; ") + scene);
-    };
     if (!object_.wrong.empty() || !is_plugin()) return;
     surveyed_ = std::move(plugin::scan_files(std::array{file_}).front());
     if (is_open()) given_ = GivenValues(options_.parameters, surveyed_, options_.plugins);
@@ -155,7 +145,6 @@ class FileCheck {
 
   // Runs in a child even for a debugger, because it checks the end of a process.
   void check_ending() {
-    if (!is_wanted(options_.only, "ending")) return;
     judge("ending", "lets a process end that has opened it", [&]() -> Outcome {
       const auto open = [&] {
         Outcome out = open_and_no_more(file_);
@@ -243,9 +232,7 @@ class FileCheck {
   }
 
   void check_elsewhere(std::int32_t kind) {
-    const std::string name = kind_and(kind, "elsewhere");
-    if (!is_wanted(options_.only, name)) return;
-    judge(name, "does the same in another process, folder and environment", [&]() -> Outcome {
+    judge(kind_and(kind, "elsewhere"), "does the same in another process, folder and environment", [&]() -> Outcome {
       if (options_.in_process || hung_ || options_.perturbed.empty()) return {Status::skip, {}};
       const auto without_digest = [](Outcome outcome) {
         if (outcome.lines.size() > 1 && outcome.status != Status::crash) outcome.lines.erase(outcome.lines.begin());
@@ -266,9 +253,7 @@ class FileCheck {
   }
 
   void check_alone(std::int32_t kind, bool determined) {
-    const std::string name = kind_and(kind, "alone");
-    if (!is_wanted(options_.only, name)) return;
-    judge(name, "answers each of a team's robots as if it were alone", [&]() -> Outcome {
+    judge(kind_and(kind, "alone"), "answers each of a team's robots as if it were alone", [&]() -> Outcome {
       if (options_.in_process || hung_) return {Status::skip, {}};
       if (!determined)
         return {Status::skip, {"the same calls do not give the same bytes, here or elsewhere: mend that first"}};
@@ -343,10 +328,10 @@ class FileCheck {
 
   // Adds the verdict of a check that needs no child. bars: adds the verdict even if the user did not ask for the check.
   void here(const std::string& name, const std::string& promise, const Outcome& outcome, bool bars = false) {
-    if (bars || is_wanted(options_.only, name)) judge(name, promise, [&] { return outcome; });
+    judge(
+        name, promise, [&] { return outcome; }, bars);
   }
   void apart(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
-    if (!is_wanted(options_.only, name)) return;
     const auto alone = [&] {
       return leaving_the_process_alone([&] {
         Outcome out = without_exceptions(check);
@@ -369,7 +354,10 @@ class FileCheck {
       return {Status::crash, {"took all the memory that there is"}};
     }
   }
-  void judge(const std::string& name, const std::string& promise, const std::function<Outcome()>& check) {
+  // Makes a check and adds its verdict, if the user asked for the check. bars: as for here().
+  void judge(const std::string& name, const std::string& promise, const std::function<Outcome()>& check,
+             bool bars = false) {
+    if (!bars && !is_wanted(options_.only, name)) return;
     const auto began = Clock::now();
     Outcome outcome = check();
     const std::chrono::duration<double> seconds = Clock::now() - began;
@@ -411,7 +399,6 @@ void refuse_unknown(std::string_view what, const std::string& where, const std::
   }
 }
 
-// Throws config::BadInput for a requested name that no file has.
 void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& options) {
   // If a file cannot be opened, refuses nothing, because a name may belong to this file. The file fails anyway.
   if (!std::ranges::all_of(files, &FileCheck::is_open)) return;
@@ -433,8 +420,7 @@ void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& o
 // Returns all names that Options::only may contain: the checks, and the parts of their names.
 std::vector<std::string> known_checks() {
   std::vector<std::string> out(file_checks.begin(), file_checks.end());
-  out.emplace_back("descriptor");
-  out.emplace_back("creation");
+  out.insert(out.end(), {"descriptor", "creation"});
   const auto add = [&out](const std::string& name) {
     if (std::ranges::find(out, name) == out.end()) out.push_back(name);
   };

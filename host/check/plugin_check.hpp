@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "check/given_values.hpp"
 #include "check/isolation.hpp"
 
 namespace regista::check {
@@ -18,7 +18,7 @@ struct Options {
   std::vector<std::string> only;     // names of checks or groups of checks; empty: all
   std::vector<std::string> plugins;  // ids of the plugins to check; empty: all plugins of the file
   // Names and values of the plugin's parameters, as text. The value of a parameter for a file is the path of the file.
-  std::vector<std::pair<std::string, std::string>> parameters;
+  GivenTexts parameters;
   bool may_idle = false;    // true: an assigner may leave robots without a task
   std::uint64_t seed = 0;   // seed of the random numbers in the checks
   bool in_process = false;  // true: checks run in this process, for a debugger
@@ -35,8 +35,7 @@ struct Listener {
 };
 
 // Returns one report for each file. Looks at all files before the first check. Throws config::BadInput for an unknown
-// name in `only`, for a file that does not exist, for a value that a parameter cannot have, and for a plugin, parameter
-// or check that none of the files has.
+// name in `only`, a missing file, a wrong value, and a plugin, parameter or check that no file has.
 std::vector<Report> check_files(const std::vector<std::filesystem::path>& files, const Options& options,
                                 const Listener& listener);
 

@@ -14,14 +14,14 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 mind::Walk within_limits(const mind::Walk& wanted, const config::Walk& limits) {
   const auto share = [](double value, double limit) { return limit > 0.0 ? value / limit : 0.0; };
-  const double x = share(wanted.forward, wanted.forward >= 0.0 ? limits.forward : limits.backward);
+  const double along = wanted.forward >= 0.0 ? limits.forward : limits.backward;
+  const double x = share(wanted.forward, along);
   const double y = share(wanted.sideways, limits.sideways);
   const double z = share(wanted.turn, limits.turn);
   const double size = x * x + y * y + z * z;
   const double scale = size > 1.0 ? 1.0 / std::sqrt(size) : 1.0;
   const auto scaled = [scale](double value, double limit) { return limit > 0.0 ? scale * value : 0.0; };
-  return {scaled(wanted.forward, wanted.forward >= 0.0 ? limits.forward : limits.backward),
-          scaled(wanted.sideways, limits.sideways), scaled(wanted.turn, limits.turn)};
+  return {scaled(wanted.forward, along), scaled(wanted.sideways, limits.sideways), scaled(wanted.turn, limits.turn)};
 }
 
 double speed_for_distance(double distance, double rolling_deceleration) {
@@ -80,8 +80,7 @@ Vector Body::launch(const mind::KickRequest& request, std::uint32_t tick) const 
 void Body::jostled(double time, std::uint32_t tick) {
   if (fallen(time)) return;
   Chance chance(seed_, Purpose::fall, side_, number_, 0, tick);
-  if (!chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) return;
-  fall(time);
+  if (chance.bernoulli(profile_.body.falls_per_contact_second * physics_step)) fall(time);
 }
 
 void Body::fall(double time) {
@@ -95,7 +94,6 @@ void Body::fall(double time) {
   }
 }
 
-// The robot begins to get up at `time`. This function draws the number of failed attempts, and so the time of standing.
 void Body::lie(double time) {
   Chance chance(seed_, Purpose::get_up, side_, number_, 0, static_cast<std::uint32_t>(falls_));
   up_at_ = time + profile_.body.get_up;

@@ -13,7 +13,6 @@
 #include <optional>
 
 #include "config/robot.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/action.hpp"
 

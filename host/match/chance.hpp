@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <span>
 
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {

@@ -59,7 +59,7 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, co
     const double most = mind::largest_report;
     const auto within = [](double value, double largest) { return std::abs(value) <= largest; };
     if (!within(each.least, most) || !within(each.greatest, most) || !within(each.last, most) ||
-        !within(each.sum, most * each.count)) {
+        !within(each.sum, most * static_cast<double>(each.count))) {
       return fmt::format("metric {} is out of range", each.metric);
     }
   }

@@ -31,7 +31,10 @@ config::Incident standing(const config::Burst& burst) {
 Disturbances::Disturbances(const config::Disturbance& disturbance, const config::FieldSize& field, int team_size,
                            std::uint64_t seed, Side side)
     : disturbance_(&disturbance), field_(field), team_size_(team_size), seed_(seed), side_(side), now_(at(team_size)) {
-  const auto add = [&](const config::Incident& incident, int object) {
+  const auto add = [&](config::Incident incident, int object) {
+    const config::Burst usual;
+    incident.mean_bad = incident.mean_bad.value_or(usual.mean_bad);
+    incident.mean_good = incident.mean_good.value_or(usual.mean_good);
     incidents_.push_back({incident, object, never, 0, std::vector<Victim>(now_.size())});
     schedule(incidents_.back(), 0.0);
   };
@@ -86,19 +89,15 @@ void Disturbances::strike(OngoingIncident& ongoing, Victim& victim, int number, 
   ++victim.strikes;
   if (ongoing.incident.kind != Kind::burst_loss || !was_over) return;
   // Draws the first state of the channel from the channel's long-term shares of good and bad time.
-  const config::Burst usual;
-  const double bad = ongoing.incident.mean_bad.value_or(usual.mean_bad);
-  const double good = ongoing.incident.mean_good.value_or(usual.mean_good);
+  const double bad = *ongoing.incident.mean_bad, good = *ongoing.incident.mean_good;
   Chance chance(seed_, Purpose::burst, side_, number, ongoing.object, victim.drawn++);
   victim.bad = !chance.bernoulli(bad / (bad + good));
   switch_channel(ongoing, victim, number, time);
 }
 
 void Disturbances::switch_channel(const OngoingIncident& ongoing, Victim& victim, int number, double time) const {
-  const config::Burst usual;
   victim.bad = !victim.bad;
-  const double mean = victim.bad ? ongoing.incident.mean_bad.value_or(usual.mean_bad)
-                                 : ongoing.incident.mean_good.value_or(usual.mean_good);
+  const double mean = victim.bad ? *ongoing.incident.mean_bad : *ongoing.incident.mean_good;
   Chance chance(seed_, Purpose::burst, side_, number, ongoing.object, victim.drawn++);
   victim.switches = time + exponential(chance, mean);
 }

@@ -6,6 +6,33 @@
 namespace regista::match {
 namespace {
 
+constexpr std::array<const char*, 4> endings{"no", "full_time", "mercy", "limit"};
+constexpr std::array<const char*, static_cast<std::size_t>(EventKind::opening) + 1> events{"half begins",
+                                                                                           "ready",
+                                                                                           "set",
+                                                                                           "kick-off",
+                                                                                           "goal",
+                                                                                           "goal not counted",
+                                                                                           "kick-in",
+                                                                                           "goal kick",
+                                                                                           "corner kick",
+                                                                                           "pushing free kick",
+                                                                                           "penalty kick",
+                                                                                           "whistle",
+                                                                                           "ball free",
+                                                                                           "game stuck",
+                                                                                           "penalty",
+                                                                                           "returned",
+                                                                                           "put back",
+                                                                                           "too many packets",
+                                                                                           "packet too long",
+                                                                                           "half ends",
+                                                                                           "finished",
+                                                                                           "opening"};
+constexpr std::array<const char*, offence_count> offences{
+    "none",    "illegal position", "illegal position in set", "motion in set",
+    "fallen",  "inactive",         "local game stuck",        "ball holding",
+    "pushing", "leaving the field"};
 constexpr std::array<std::string_view, 5> phases{"initial", "ready", "set", "playing", "finished"};
 constexpr std::array<std::string_view, 7> set_plays{"none",        "kick_off",          "kick_in",     "goal_kick",
                                                     "corner_kick", "pushing_free_kick", "penalty_kick"};
@@ -21,53 +48,15 @@ std::string one_word(std::string text) {
 
 }  // namespace
 
-const char* name(Ended ended) {
-  constexpr std::array names{"no", "full_time", "mercy", "limit"};
-  return names[static_cast<std::size_t>(ended)];
-}
-
-const char* name(EventKind kind) {
-  constexpr std::array names{"half begins",
-                             "ready",
-                             "set",
-                             "kick-off",
-                             "goal",
-                             "goal not counted",
-                             "kick-in",
-                             "goal kick",
-                             "corner kick",
-                             "pushing free kick",
-                             "penalty kick",
-                             "whistle",
-                             "ball free",
-                             "game stuck",
-                             "penalty",
-                             "returned",
-                             "put back",
-                             "too many packets",
-                             "packet too long",
-                             "half ends",
-                             "finished",
-                             "opening"};
-  static_assert(names.size() == static_cast<std::size_t>(EventKind::opening) + 1);
-  return names[static_cast<std::size_t>(kind)];
-}
-
-const char* name(Offence offence) {
-  constexpr std::array<const char*, offence_count> names{
-      "none",    "illegal position", "illegal position in set", "motion in set",
-      "fallen",  "inactive",         "local game stuck",        "ball holding",
-      "pushing", "leaving the field"};
-  return names[static_cast<std::size_t>(offence)];
-}
-
+const char* name(Ended ended) { return endings[static_cast<std::size_t>(ended)]; }
+const char* name(EventKind kind) { return events[static_cast<std::size_t>(kind)]; }
+const char* name(Offence offence) { return offences[static_cast<std::size_t>(offence)]; }
 std::string_view name(mind::Phase phase) { return phases.at(static_cast<std::size_t>(phase)); }
 std::string_view name(mind::SetPlay set_play) { return set_plays.at(static_cast<std::size_t>(set_play)); }
-
-std::string word(EventKind kind) { return one_word(name(kind)); }
 std::string_view name(PlayKind kind) { return play_kinds.at(static_cast<std::size_t>(kind)); }
 std::string_view name(PlayOutcome outcome) { return play_outcomes.at(static_cast<std::size_t>(outcome)); }
 
+std::string word(EventKind kind) { return one_word(name(kind)); }
 std::string word(Offence offence) { return one_word(name(offence)); }
 
 using mind::Phase;

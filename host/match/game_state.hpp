@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "config/rules.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 
@@ -40,6 +39,7 @@ struct GameState {
   bool in_play() const { return phase == mind::Phase::playing && set_play == mind::SetPlay::none; }
   int score(Side side) const { return goals[index(side)]; }
   bool is_penalised(Side side, int number) const { return (penalised[index(side)] >> (number - 1) & 1u) != 0; }
+  RobotSet all_penalised(Roster roster) const { return penalised[0] | RobotSet{penalised[1]} << roster.team_size; }
 };
 
 // The offence for which a robot is penalised. RoboCup SPL rule book 2023, section 4.
@@ -93,8 +93,7 @@ struct Event {
 // The plays that the metrics count; metrics_play.hpp defines them. A play is reported as soon as its outcome is known.
 enum class PlayKind { shot, pass, clearance, duel };
 
-// A shot ends as goal, saved or missed. A pass ends as arrived, intercepted or lost. A duel ends as won, lost or
-// undecided for PlayEvent::side. A clearance has the outcome none.
+// Of a shot: goal, saved, missed. A pass: arrived, intercepted, lost. A duel: won, lost, undecided for its side.
 enum class PlayOutcome { none, goal, saved, missed, arrived, intercepted, lost, won, undecided };
 
 struct PlayEvent {

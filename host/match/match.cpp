@@ -60,7 +60,6 @@ std::vector<config::Body> bodies_of(const Setup& setup) {
 
 double largest_radius(const Setup& setup) { return std::max(setup.robots[0].body.radius, setup.robots[1].body.radius); }
 
-// One robot of the match: its mind, body and senses, and its last percepts and outcome.
 struct Robot {
   const mind::Think& think;
   const config::Robot& profile;
@@ -84,21 +83,13 @@ class OngoingMatch {
   void decide(int id);
   void feel_contact(int id, Robot& robot);
   bool sees_ball(int id) const;
-  template <class Condition>
-  RobotSet those(Condition holds) const {
-    RobotSet out = 0;
-    for (int id = 0; id < roster_.count(); ++id) {
-      if (holds(robots_[at(id)].body)) out |= only(id);
-    }
-    return out;
-  }
   RobotSet fallen() const {
-    return those([this](const Body& body) { return body.fallen(time_); });
+    return those(roster_.everybody(), [this](int id) { return robots_[at(id)].body.fallen(time_); });
   }
-  RobotSet kicking() const { return those(std::mem_fn(&Body::kicking)); }
-  RobotSet able() const {
-    return those([this](const Body& body) { return !body.fallen(time_); }) & ~crashed_;
+  RobotSet kicking() const {
+    return those(roster_.everybody(), [this](int id) { return robots_[at(id)].body.kicking(); });
   }
+  RobotSet able() const { return roster_.everybody() & ~fallen() & ~crashed_; }
   void ask(int id);
   int move_bodies();
   void jostle();
@@ -107,7 +98,6 @@ class OngoingMatch {
   void observe();
   Robot& robot(int id) { return robots_[at(id)]; }
   double ball_distance(int id) const;  // m; infinite if the ball is beside or behind the robot, where no foot reaches
-  [[noreturn]] void refuse(int id, const std::string& why) const;
 
   const Setup& setup_;
   const Observer& observer_;
@@ -178,11 +168,6 @@ OngoingMatch::OngoingMatch(const Setup& setup, std::span<const mind::Think> home
   }
 }
 
-void OngoingMatch::refuse(int id, const std::string& why) const {
-  throw std::runtime_error(
-      fmt::format("{} robot {} at {:f} s: {}", name(roster_.side(id)), roster_.number(id), time_, why));
-}
-
 double OngoingMatch::ball_distance(int id) const {
   const BodyState& body = arena_.robot(id);
   const Vector way = arena_.ball_position() - Vector{body.x, body.y};
@@ -215,12 +200,10 @@ Result OngoingMatch::run() {
   }
   metrics_.finish();
   const GameState& state = referee_.state();
-  return {state.goals,
-          state.ended == Ended::no ? Ended::limit : state.ended,
-          time_,
-          state.packets,
-          metrics_.result(state, time_),
-          digest_.value()};
+  MatchMetrics metrics = metrics_.result(state, time_);
+  for (int id = 0; id < roster_.count(); ++id) metrics.teams[index(roster_.side(id))].falls += robot(id).body.falls();
+  const Ended ended = state.ended == Ended::no ? Ended::limit : state.ended;
+  return {state.goals, ended, time_, state.packets, std::move(metrics), digest_.value()};
 }
 
 // Applies the disturbances of a side to its bodies. Radio and Sensing read the disturbances themselves.
@@ -247,11 +230,10 @@ void OngoingMatch::decide(int id) {
   const Side side = roster_.side(id);
   const int number = roster_.number(id);
   const GameState& state = referee_.state();
-  if (contains(crashed_, id)) {
+  heard_.clear();
+  radio_[index(side)].deliver(number, time_, tick_, heard_);
+  if (contains(crashed_, id)) {  // a crashed robot hears no packet: the delivered packets are dropped
     robot.touches = -1;
-    heard_.clear();
-    radio_[index(side)].deliver(number, time_, tick_,
-                                heard_);  // the packets are dropped, because a crashed robot hears none
     return;
   }
   acted_ |= only(id);
@@ -268,8 +250,6 @@ void OngoingMatch::decide(int id) {
   robot.sensing.sense({arena_.robot(id), arena_.ball_position(), in_view_}, time_, tick_,
                       !percepts.penalised && !percepts.fallen, percepts);
   feed_.tell(id, state, time_, percepts.game);
-  heard_.clear();
-  radio_[index(side)].deliver(number, time_, tick_, heard_);
 
   mind::Outcome& outcome = robot.outcome;
   outcome.clear();
@@ -278,7 +258,7 @@ void OngoingMatch::decide(int id) {
           unsound(outcome, robot.profile,
                   {setup_.roles[index(side)].size(), metrics_.reasons(side), metrics_.plugin_metrics(side)});
       !why.empty()) {
-    refuse(id, why);
+    throw std::runtime_error(fmt::format("{} robot {} at {:f} s: {}", name(side), number, time_, why));
   }
 
   add(digest_, outcome);
@@ -337,9 +317,7 @@ int OngoingMatch::move_bodies() {
     if (contains(out_of_play_, id)) continue;
     Robot& robot = this->robot(id);
     const BodyState& now = arena_.robot(id);
-    const int falls = robot.body.falls();
     const Body::Motion motion = robot.body.move(time_, tick_, robot.body.kicking() ? ball_distance(id) : 0.0);
-    if (robot.body.falls() != falls) metrics_.fell(roster_.side(id));
     const config::Walk& limits = robot.profile.walk;
     if (motion.walk.turn != 0.0) turning_ |= only(id);
     Vector& legs = legs_[at(id)];
@@ -364,12 +342,7 @@ void OngoingMatch::jostle() {
     robot(pair[0]).touches = pair[1];
     robot(pair[1]).touches = pair[0];
   }
-  for (const int id : Members(contacts.robots_on_robots)) {
-    Body& body = robot(id).body;
-    const int falls = body.falls();
-    body.jostled(time_, tick_);
-    if (body.falls() != falls) metrics_.fell(roster_.side(id));
-  }
+  for (const int id : Members(contacts.robots_on_robots)) robot(id).body.jostled(time_, tick_);
 }
 
 void OngoingMatch::judge(int kicker) {

@@ -88,7 +88,8 @@ struct Observer {
   PlayTeller play;  // called for each shot, meant pass, clearance and duel, when its outcome is known
   std::function<void(const Snapshot&)> step;      // called after each physics step
   std::function<void(const Decision&)> decision;  // called after each decision
-  PhysicsLog* physics_log = nullptr;  // receives the operations on the bodies, for Replay; null: no recording
+  PhysicsLog* physics_log =
+      nullptr;  // receives the operations on the bodies, for PhysicsWorld::replay(); null: no recording
   // Whether minds that teams.hpp creates keep segments and drawings for AfterDecision (see mind::MindOptions).
   bool segments = false, drawings = false;
   bool outcomes_alone = false;  // true: minds compute only frame parts that plugins read, not those for AfterDecision

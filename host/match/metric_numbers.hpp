@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MetricNumbers has the metric values of one match. MetricNames has the names of the values. Matches with equal names
-// share one MetricNames.
+// MetricNumbers has the metric values of one match; MetricNames, shared by matches with equal names, has their names.
 #pragma once
 
 #include <array>
@@ -49,8 +48,7 @@ class MetricNames {
   };
   const std::vector<Sum>& sums(Side side) const { return sides_[index(side)].sums; }
 
-  // Returns the index of a number; nothing for an unknown path or an element of a list. side: side of the number;
-  // nothing for a number of the whole match.
+  // Returns the index of a number; nothing for an unknown path or a list. side: nothing for one of the whole match.
   std::optional<std::size_t> find(std::optional<Side> side, std::string_view path) const;
 
   friend bool operator==(const MetricNames& a, const MetricNames& b) { return a.names_ == b.names_; }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "match/metric_table.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -215,7 +214,7 @@ std::vector<MetricRow> numbers_of_coordination() {
 }
 
 std::vector<MetricRow> numbers_of_packets() {
-  const auto segments = [](const char* name, const char* meaning, std::int64_t SegmentMetrics::*count) {
+  const auto segments = [](const char* name, const char* meaning, std::int64_t mind::SegmentCounts::*count) {
     return sum(name, "segments", {}, meaning, count);
   };
   return {
@@ -245,22 +244,22 @@ std::vector<MetricRow> numbers_of_packets() {
           }),
       segments("segments_offered",
                "bytes that plugins offered for packets through their mailboxes, those refused left out",
-               &SegmentMetrics::offered),
+               &mind::SegmentCounts::offered),
       segments("segments_refused",
                "offers that were refused: too long for any packet, expired already, too many pending, or senseless",
-               &SegmentMetrics::refused),
+               &mind::SegmentCounts::refused),
       segments("segments_sent", "of those offered: left a robot in a packet, whatever the radio made of it",
-               &SegmentMetrics::sent),
+               &mind::SegmentCounts::sent),
       sum("segment_bytes", "bytes", {}, "of the segments that were sent, with the two bytes of heading of each",
-          &SegmentMetrics::bytes),
+          &mind::SegmentCounts::bytes),
       segments("segments_dropped",
                "of those offered: expired, replaced or withdrawn before a packet took them. What is neither sent nor "
                "dropped was pending at the end",
-               &SegmentMetrics::dropped),
+               &mind::SegmentCounts::dropped),
       segments("segments_heard",
                "segments that reached a plugin of a teammate: each of those sent counts once for every teammate that "
                "heard it",
-               &SegmentMetrics::heard),
+               &mind::SegmentCounts::heard),
   };
 }
 
@@ -300,17 +299,15 @@ std::vector<MetricRow> numbers_of_the_world() {
              "over pairs of active robots: it reckons with the other (heard of, not believed penalised, not given up "
              "for lost)",
              "over the pairs with `K`", as_before, as_before});
-  for (MetricRow& each : std::vector{
-           mean("listed", "robots", {"Opponents known to a robot"},
-                "mean number of opponents that it lists, right or wrong", &WorldModelMetrics::opponents_listed),
-           mean("ospa_metres", "m", {"Error of opponents, m (OSPA)"},
-                "mean OSPA between the opponents it lists and the active ones", &WorldModelMetrics::ospa_metres),
-           mean("ospa_location_metres", "m", {}, "its part from places", &WorldModelMetrics::ospa_location_metres),
-           mean("ospa_cardinality_metres", "m", {}, "its part from numbers; the two add up",
-                &WorldModelMetrics::ospa_cardinality_metres)}) {
-    each.name = "world_model.opponents." + each.name;
-    rows.push_back(std::move(each));
-  }
+  rows.insert(rows.end(),
+              {mean("world_model.opponents.listed", "robots", {"Opponents known to a robot"},
+                    "mean number of opponents that it lists, right or wrong", &WorldModelMetrics::opponents_listed),
+               mean("world_model.opponents.ospa_metres", "m", {"Error of opponents, m (OSPA)"},
+                    "mean OSPA between the opponents it lists and the active ones", &WorldModelMetrics::ospa_metres),
+               mean("world_model.opponents.ospa_location_metres", "m", {}, "its part from places",
+                    &WorldModelMetrics::ospa_location_metres),
+               mean("world_model.opponents.ospa_cardinality_metres", "m", {}, "its part from numbers; the two add up",
+                    &WorldModelMetrics::ospa_cardinality_metres)});
   return rows;
 }
 
@@ -425,18 +422,8 @@ bool ends_with_name(std::string_view path, const std::string& name) {
 }  // namespace
 
 std::string MetricRow::path(const std::string& member) const {
-  switch (of) {
-    case Of::match:
-    case Of::team:
-      break;
-    case Of::role:
-      return member + '.' + name;
-    case Of::event:
-    case Of::plugin_total:
-    case Of::plugin_value:
-      return name + '.' + member;
-  }
-  return name;
+  if (of == Of::role) return member + '.' + name;
+  return has_members(*this) ? name + '.' + member : name;
 }
 
 std::string MetricRow::pattern() const {
@@ -463,18 +450,11 @@ const std::vector<MetricRow>& metric_table() {
 }
 
 std::vector<std::string> metric_members(const MetricRow& row, const MemberNames& team) {
-  switch (row.of) {
-    case Of::role:
-      return team.roles;
-    case Of::event:
-      return team.reasons;
-    case Of::plugin_total:
-      return team.plugin_totals;
-    case Of::plugin_value:
-      return team.plugin_values;
-    default:
-      return {""};
-  }
+  if (row.of == Of::role) return team.roles;
+  if (row.of == Of::event) return team.reasons;
+  if (row.of == Of::plugin_total) return team.plugin_totals;
+  if (row.of == Of::plugin_value) return team.plugin_values;
+  return {""};
 }
 
 MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSource& source, const RoleNames& roles) {

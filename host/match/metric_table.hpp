@@ -73,7 +73,6 @@ const std::vector<MetricRow>& metric_table();  // The rows that every match has.
 // By side: the names of the roles in the order of the team's table of roles.
 using RoleNames = std::array<std::vector<std::string>, 2>;
 
-// The names of a team's members (roles, reasons, plugin metrics) for which rows have numbers.
 struct MemberNames {
   std::vector<std::string> roles;                            // in the order of the table of roles
   std::vector<std::string> reasons = TeamMetrics().reasons;  // reasons to send packets
@@ -90,10 +89,9 @@ MetricNumbers metric_numbers(std::span<const MetricRow> table, const MetricSourc
 // "roles.striker.overlap_seconds" and "overlap_seconds" belong to the same row.
 const MetricRow* find_metric(std::span<const MetricRow> table, std::string_view path);
 
-// Returns the paths by which a study may name the metrics of a team, in this order: the metrics that do not belong to a
-// role, in the order of the table; role by role, the metrics of each role ("striker.overlap_seconds"); the sums over
-// all roles, without a role's name ("overlap_seconds"). Lists have no path. team: its roles, reasons and plugin
-// metrics.
+// Returns the paths by which a study may name the metrics of a team: those of no role, in the order of the table; role
+// by role, the metrics of each role ("striker.overlap_seconds"); the sums over all roles ("overlap_seconds"). Lists
+// have no path. team: its roles, reasons and plugin metrics.
 std::vector<std::string> metric_paths(std::span<const MetricRow> table, const MemberNames& team);
 
 double rounded_metric(double value);  // Returns the value rounded to six decimals.

@@ -17,13 +17,6 @@ PluginMeasures::PluginMeasures(std::vector<mind::TeamMetric> metrics, int team_s
   }
 }
 
-void PluginMeasures::add(Combined& to, std::uint64_t count, double sum, double least, double greatest) const {
-  to.least = to.count == 0 ? least : std::min(to.least, least);
-  to.greatest = to.count == 0 ? greatest : std::max(to.greatest, greatest);
-  to.count += count;
-  to.sum += sum;
-}
-
 void PluginMeasures::decided(int number, std::span<const mind::MetricReport> reports) {
   for (const mind::MetricReport& each : reports) {
     const auto metric = static_cast<std::size_t>(each.metric);
@@ -35,7 +28,7 @@ void PluginMeasures::decided(int number, std::span<const mind::MetricReport> rep
       else
         known->value = each.last;
     } else {
-      add(combined_[metric], each.count, each.sum, each.least, each.greatest);
+      combined_[metric].add(each);
     }
   }
 }
@@ -49,7 +42,7 @@ void PluginMeasures::crashed(int number) {
 void PluginMeasures::sample() {
   for (std::size_t i = 0; i < last_told_.size(); ++i) {
     for (const std::vector<Told>& robot : last_told_[i]) {
-      for (const Told& each : robot) add(combined_[i], 1, each.value, each.value, each.value);
+      for (const auto& [place, value] : robot) combined_[i].add({0, place, 1, value, value, value, value});
     }
   }
 }
@@ -57,7 +50,7 @@ void PluginMeasures::sample() {
 PluginMetrics PluginMeasures::result() const {
   PluginMetrics out;
   for (std::size_t i = 0; i < metrics_.size(); ++i) {
-    const Combined& all = combined_[i];
+    const mind::MetricReport& all = combined_[i];
     if (metrics_[i].combine == REGISTA_METRIC_SUM) {
       out.total_names.push_back(metrics_[i].name);
       out.totals.push_back(all.sum);
@@ -66,16 +59,10 @@ PluginMetrics PluginMeasures::result() const {
     out.value_names.push_back(metrics_[i].name);
     std::optional<double>& value = out.values.emplace_back();
     if (all.count == 0) continue;
-    switch (metrics_[i].combine) {
-      case REGISTA_METRIC_LEAST:
-        value = all.least;
-        break;
-      case REGISTA_METRIC_GREATEST:
-        value = all.greatest;
-        break;
-      default:
-        value = all.sum / static_cast<double>(all.count);
-    }
+    const std::int32_t combine = metrics_[i].combine;
+    value = combine == REGISTA_METRIC_LEAST      ? all.least
+            : combine == REGISTA_METRIC_GREATEST ? all.greatest
+                                                 : all.sum / static_cast<double>(all.count);
   }
   return out;
 }
@@ -121,13 +108,7 @@ void Metrics::decided(Side side, int number, const mind::Outcome& outcome, bool 
                       const GameState& state) {
   const bool plays = state.phase == mind::Phase::playing && !state.is_penalised(side, number);
   teams_[index(side)].tenures.decided(number, outcome.role, time, plays);
-  SegmentMetrics& segments = result_.teams[index(side)].segments;
-  segments.offered += outcome.segments.offered;
-  segments.refused += outcome.segments.refused;
-  segments.sent += outcome.segments.sent;
-  segments.dropped += outcome.segments.dropped;
-  segments.heard += outcome.segments.heard;
-  segments.bytes += outcome.segments.bytes;
+  result_.teams[index(side)].segments += outcome.segments;
   teams_[index(side)].plugins.decided(number, outcome.metrics);
   took(side, number, outcome, sees_ball, state);
 }
@@ -174,7 +155,6 @@ void Metrics::believes(Side side, int number, const Belief& belief, std::span<co
 
 void Metrics::sent(Side side, int reason, std::size_t bytes, double time) {
   TeamMetrics& team = result_.teams[index(side)];
-  ++team.packets;
   team.packet_bytes += static_cast<std::int64_t>(bytes);
   ++team.packets_by_reason[at(reason)];
   teams_[index(side)].roles.sent(time);

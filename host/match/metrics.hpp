@@ -48,25 +48,14 @@ class PluginMeasures {  // computes PluginMetrics
   PluginMetrics result() const;
 
  private:
-  struct Combined {
-    std::uint64_t count = 0;
-    double sum = 0.0, least = 0.0, greatest = 0.0;
-  };
-  void add(Combined& to, std::uint64_t count, double sum, double least, double greatest) const;
-
   struct Told {
     std::int32_t place;  // place of the plugin's instance in the mind
     double value;
   };
 
   std::vector<mind::TeamMetric> metrics_;
-  std::vector<Combined> combined_;                         // by metric
+  std::vector<mind::MetricReport> combined_;               // by metric
   std::vector<std::vector<std::vector<Told>>> last_told_;  // by metric and robot: last reports, for means over time
-};
-
-// Counts of the segments that a team's plugins offered, sent and received; see mind::SegmentCounts.
-struct SegmentMetrics {
-  std::int64_t offered = 0, refused = 0, sent = 0, dropped = 0, heard = 0, bytes = 0;
 };
 
 struct TeamMetrics {
@@ -78,14 +67,14 @@ struct TeamMetrics {
   BallMetrics ball;
   WorldModelMetrics world_model;
   PlayMetrics play;
-  int packets = 0;                     // number of packets charged to the budget, including too long packets
-  std::int64_t packet_bytes = 0;       // bytes of the charged packets
+  std::int64_t packet_bytes = 0;       // bytes of the packets charged to the budget, including too long packets
   std::vector<std::string> reasons;    // names of reasons to send: first the events of abi.h
   std::vector<int> packets_by_reason;  // in the order of `reasons`
   std::vector<int> budget_curve;       // packets left in the budget after 1, 2, ... minutes of play
-  SegmentMetrics segments;
+  mind::SegmentCounts segments;
   PluginMetrics plugins;
-  int falls = 0, penalties = 0, kicks = 0, touches = 0;
+  int falls = 0;  // set at the end of play()
+  int penalties = 0, kicks = 0, touches = 0;
 };
 
 struct MatchMetrics {
@@ -119,7 +108,6 @@ class Metrics {
   std::size_t reasons(Side side) const { return result_.teams[index(side)].reasons.size(); }
   std::size_t plugin_metrics(Side side) const { return teams_[index(side)].plugins.count(); }
   void sent(Side side, int reason, std::size_t bytes, double time);  // time: match time, s
-  void fell(Side side) { ++result_.teams[index(side)].falls; }
   // The foot of robot `id` has hit the ball. receiver: shirt number of the intended teammate; 0 = nobody.
   void kicked(int id, int receiver) {
     ++result_.teams[index(roster_.side(id))].kicks;
@@ -128,8 +116,7 @@ class Metrics {
   void penalised(Side side) { ++result_.teams[index(side)].penalties; }
   void scored(Side side) { play_.scored(side); }  // a goal that counts
   void ball_placed() { play_.ball_placed(); }     // a person puts the ball down
-  // Call after each physics step, before Referee::update(). touched_by: id of the robot that touched the ball; -1:
-  // nobody.
+  // Call after each physics step, before Referee::update(). touched_by: id of the robot that touched the ball, or -1.
   void stepped(const BodyState& ball, int touched_by, const GameState& state);
 
   // Must be called ten times a second. able: robots that stand and have not crashed; penalised robots are ignored.
@@ -147,7 +134,6 @@ class Metrics {
   std::uint32_t active(Side side, const GameState& state) const;  // robots without penalty: bit n - 1 for robot n
   // Passes a decision to all measures except TenureMeasures.
   void took(Side side, int number, const mind::Outcome& outcome, bool sees_ball, const GameState& state);
-  // Extends the budget curve of `out` by the minutes that have passed since its last entry.
   void add_minutes(const GameState& state, MatchMetrics& out) const;
 
   struct TeamMeasures {

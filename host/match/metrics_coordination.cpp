@@ -19,10 +19,7 @@ constexpr std::size_t bits = 64;  // number of tasks in one word of a set of tas
 template <class Same>
 bool all_as_the_first(std::uint32_t active, Same same) {
   const int first = std::countr_zero(active);
-  for (std::uint32_t rest = active & (active - 1); rest != 0; rest &= rest - 1) {
-    if (!same(std::countr_zero(rest), first)) return false;
-  }
-  return true;
+  return those(active, [&](int robot) { return !same(robot, first); }) == 0;
 }
 
 }  // namespace
@@ -79,9 +76,9 @@ void RoleMeasures::sample(std::uint32_t active) {
   if (roles_.empty()) return;
   std::ranges::fill(holders_, 0);
   std::ranges::fill(list_holders_, 0);
-  for (int robot = 0; robot < team_size_; ++robot) {
+  for (const int robot : Members(active)) {
     const int role = held_[at(robot)];
-    if ((active >> robot & 1u) == 0 || role < 0) continue;
+    if (role < 0) continue;
     ++holders_[at(role)];
     ++list_holders_[at(list_[at(role)])];
     ++robot_samples_[at(role * team_size_ + robot)];
@@ -113,8 +110,7 @@ bool RoleMeasures::agree(std::uint32_t active) const {
 void RoleMeasures::count_votes(std::uint32_t active) {
   std::ranges::fill(votes_, 0);
   std::ranges::fill(last_voter_, -1);
-  for (int robot = 0; robot < team_size_; ++robot) {
-    if ((active >> robot & 1u) == 0) continue;
+  for (const int robot : Members(active)) {
     for (int other = 0; other < team_size_; ++other) {
       const int role = assignment_[at(robot * team_size_ + other)];
       // A negotiated assignment may give one role to two robots, but each robot has only one vote for a role.
@@ -136,7 +132,7 @@ CoordinationMetrics RoleMeasures::result(double end) const {
   CoordinationMetrics out;
   for (std::size_t role = 0; role < roles_.size(); ++role) {
     const Count &all = now_.roles[role], &early = before.roles[role];
-    RoleMetrics metrics{roles_[role].name, roles_[role].list, told(all, {}), told(early, {}), told(all, early), {}};
+    RoleMetrics metrics{told(all, {}), told(early, {}), told(all, early), {}};
     for (int robot = 0; robot < team_size_; ++robot) {
       metrics.robot_seconds.push_back(seconds(robot_samples_[role * at(team_size_) + at(robot)]));
     }
@@ -195,8 +191,6 @@ void TenureMeasures::decided(int number, int role, double time, bool plays) {
   held = {role, time};
 }
 
-void TenureMeasures::crashed(int number) { held_[at(number - 1)].role = -1; }
-
 double TenureMeasures::shortest_but(std::size_t rank) const {
   std::size_t steps = 0;
   for (std::size_t before = finished_[0]; before <= rank; before += finished_[steps]) ++steps;
@@ -219,8 +213,8 @@ TargetMeasures::TargetMeasures(int team_size) : targets_(at(team_size)) { now_.r
 
 void TargetMeasures::sample(std::uint32_t active) {
   now_.clear();
-  for (std::size_t robot = 0; robot < targets_.size(); ++robot) {
-    if ((active >> robot & 1u) != 0 && targets_[robot]) now_.push_back(*targets_[robot]);
+  for (const int robot : Members(active)) {
+    if (targets_[at(robot)]) now_.push_back(*targets_[at(robot)]);
   }
   if (now_.size() < 2) return;
   double least = std::numeric_limits<double>::infinity();

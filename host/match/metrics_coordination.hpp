@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -25,9 +24,8 @@ namespace regista::match {
 // A team is silent from its last packet of the match to the end, if this time is longer than silence_after. A team that
 // never sends is silent from the beginning. No time before a packet counts as silent.
 
-// A longer time without a packet of the team counts as silence, s of match time. The value is the usual
-// forget_teammate_after of a team. The sender plugins of the shipped teams wait less than silence_after between two
-// packets, as long as the rules allow packets.
+// A longer time without a packet of the team counts as silence, s of match time: the usual forget_teammate_after. The
+// senders of the shipped teams wait less between two packets, as long as the rules allow packets.
 constexpr double silence_after = 25.0;
 
 // A row of a team's table of roles.
@@ -44,12 +42,10 @@ struct Role {
 std::vector<std::string> role_names(const std::vector<Role>& roles);
 
 struct RoleMetrics {
-  // Numbers of one role in a span of the match.
   struct Counts {
     double overlap_seconds = 0.0, uncovered_seconds = 0.0, unplayed_seconds = 0.0;
     int switches = 0;
   };
-  std::string name, list;
   Counts all, before_silence, after_silence;  // counts of the whole match, before the team's silence and during it
   std::vector<double> robot_seconds;          // by robot (n - 1): time in this role, s
 };
@@ -149,10 +145,9 @@ class TenureMeasures {
   // longest: expected longest tenure, s. A longer tenure allocates memory during the match.
   TenureMeasures(int team_size, double longest);
 
-  // Robot `number` has decided at match time `time` (s). role: row of the table of roles; -1 = none. plays: the phase
-  // is Playing and the robot is not penalised.
+  // Robot `number` has decided at match time `time` (s). role: -1 = none. plays: in Playing, and not penalised.
   void decided(int number, int role, double time, bool plays);
-  void crashed(int number);  // drops the robot's tenure
+  void crashed(int number) { held_[at(number - 1)].role = -1; }  // drops the robot's tenure
 
   TenureMetrics result() const;
 
@@ -169,8 +164,7 @@ class TenureMeasures {
   std::size_t count_ = 0;                // number of all finished tenures
 };
 
-// --- Distances between the targets of two active robots, by their last decisions. A robot without a task does not
-// count. The goalkeeper counts like any robot.
+// --- Distances between the targets of two active robots with a task, by their last decisions, goalkeepers included.
 
 // Nothing if no two robots ever had a target at the same time.
 struct TargetMetrics {

@@ -2,6 +2,7 @@
 #include "match/metrics_play.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "match/placement.hpp"
@@ -11,33 +12,29 @@ namespace regista::match {
 
 void Clearances::kicked(int id, Vector ball, double direction, double time) {
   kick_.reset();
-  if (direction * ball.x < -length_ / 6.0) kick_ = {id, ball, direction, time};
+  direction_ = direction;
+  if (direction * ball.x < -length_ / 6.0) kick_ = {id, time, ball};
 }
 
-std::optional<Clearances::Kick> Clearances::rolled(Vector ball) {
+std::optional<Begun> Clearances::rolled(Vector ball) {
   if (!kick_) return std::nullopt;
-  const double direction = kick_->direction;
-  const bool left = direction * ball.x >= -length_ / 6.0;
-  const bool far = to_goal(ball, direction) > to_goal(kick_->at, direction) + cleared_way;
+  const bool left = direction_ * ball.x >= -length_ / 6.0;
+  const bool far = to_goal(ball) > to_goal(kick_->at) + cleared_way;
   return left || far ? std::exchange(kick_, std::nullopt) : std::nullopt;
 }
 
 void Duels::sample(std::span<const BodyState> bodies, RobotSet able, double time) {
   const Vector ball{bodies.back().x, bodies.back().y};
-  std::array<int, 2> nearest{-1, -1};
-  std::array<double, 2> least{};  // m^2
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!contains(able, id)) continue;
-    const BodyState& body = bodies[at(id)];
-    const double distance = squared_length(Vector{body.x, body.y} - ball);
-    const std::size_t side = index(roster_.side(id));
-    if (distance > duel_reach * duel_reach || (nearest[side] >= 0 && distance >= least[side])) continue;
-    nearest[side] = id;
-    least[side] = distance;
-  }
-  holds_ = nearest[0] >= 0 && nearest[1] >= 0;
+  const auto squared_distance = [&](int id) {
+    return squared_length(Vector{bodies[at(id)].x, bodies[at(id)].y} - ball);
+  };
+  const std::array<int, 2> nearest{with_least(able & roster_.team(Side::home), squared_distance),
+                                   with_least(able & roster_.team(Side::away), squared_distance)};
+  holds_ =
+      std::ranges::all_of(nearest, [&](int id) { return id >= 0 && squared_distance(id) <= duel_reach * duel_reach; });
   if (holds_) {
-    if (!duel_) duel_ = {nearest, least[0] <= least[1] ? Side::home : Side::away, time, ball, 0, {}};
+    const bool home_is_nearer = squared_distance(nearest[0]) <= squared_distance(nearest[1]);
+    if (!duel_) duel_ = {nearest, home_is_nearer ? Side::home : Side::away, time, ball, 0, {}};
     ++duel_->samples;
   } else if (duel_ && seconds(duel_->samples) < shortest_duel) {
     duel_.reset();
@@ -73,28 +70,21 @@ void PlayMeasures::tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) 
                .receiver = begun.receiver});
 }
 
-void PlayMeasures::end_shot(PlayOutcome outcome) {
-  if (!shot_) return;
-  PlayMetrics& shooting = counts(roster_.side(shot_->robot));
-  if (outcome == PlayOutcome::goal) ++shooting.shots_scored;
-  if (outcome == PlayOutcome::saved) ++shooting.shots_saved;
-  tell(PlayKind::shot, *shot_, outcome);
-  shot_.reset();
-}
-
-void PlayMeasures::end_pass(PlayOutcome outcome) {
-  if (!pass_) return;
-  PlayMetrics& passing = counts(roster_.side(pass_->robot));
-  if (outcome == PlayOutcome::arrived) ++passing.meant_passes_arrived;
-  if (outcome == PlayOutcome::intercepted) ++passing.meant_passes_intercepted;
-  tell(PlayKind::pass, *pass_, outcome);
-  pass_.reset();
+void PlayMeasures::end(std::optional<Begun>& play, PlayOutcome outcome) {
+  if (!play) return;
+  PlayMetrics& own = counts(roster_.side(play->robot));
+  if (outcome == PlayOutcome::goal) ++own.shots_scored;
+  if (outcome == PlayOutcome::saved) ++own.shots_saved;
+  if (outcome == PlayOutcome::arrived) ++own.meant_passes_arrived;
+  if (outcome == PlayOutcome::intercepted) ++own.meant_passes_intercepted;
+  tell(&play == &shot_ ? PlayKind::shot : PlayKind::pass, *play, outcome);
+  play.reset();
 }
 
 void PlayMeasures::pass_met_by(int robot) {
   if (!pass_ || pass_->robot == robot) return;
   const bool own = roster_.side(pass_->robot) == roster_.side(robot);
-  end_pass(own ? PlayOutcome::arrived : PlayOutcome::intercepted);
+  end(pass_, own ? PlayOutcome::arrived : PlayOutcome::intercepted);
 }
 
 void PlayMeasures::end_duel(const std::optional<Duels::Duel>& duel) {
@@ -121,8 +111,8 @@ void PlayMeasures::step(const BodyState& ball, int touched_by, int half) {
   half_ = half;
   if (touched_by >= 0) touched(touched_by, now, half);
   if (const auto kick = clearances_.rolled(now.position)) {
-    ++counts(roster_.side(kick->id)).clearances;
-    tell(PlayKind::clearance, {kick->id, kick->began, kick->at}, PlayOutcome::none);
+    ++counts(roster_.side(kick->robot)).clearances;
+    tell(PlayKind::clearance, *kick, PlayOutcome::none);
   }
   ball_ = now;
 }
@@ -143,11 +133,11 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
   end_duel(duels_.touched(side));
   clearances_.touched(robot);
   // The shot has missed if the ball was not on target before this touch, for example after it hit a goal post.
-  if (shot_ && !on_target(roster_.side(shot_->robot), ball_, half)) end_shot(PlayOutcome::missed);
+  if (shot_ && !on_target(roster_.side(shot_->robot), ball_, half)) end(shot_, PlayOutcome::missed);
   bool saved = false;
   if (shot_ && !on_target(roster_.side(shot_->robot), ball, half)) {
     saved = side != roster_.side(shot_->robot);
-    end_shot(saved ? PlayOutcome::saved : PlayOutcome::missed);
+    end(shot_, saved ? PlayOutcome::saved : PlayOutcome::missed);
   }
   if (!shot_ && on_target(side, ball, half)) {
     ++counts(side).shots;
@@ -166,7 +156,7 @@ void PlayMeasures::touched(int robot, const Ball& ball, int half) {
 
 void PlayMeasures::kicked(int id, int receiver) {
   pass_met_by(id);
-  end_pass(PlayOutcome::lost);
+  end(pass_, PlayOutcome::lost);
   clearances_.drop();
   if (receiver == 0) {
     // A goal kick or other set play is not a clearance. In a set play ball_placed() has cleared last_.
@@ -178,8 +168,8 @@ void PlayMeasures::kicked(int id, int receiver) {
 }
 
 void PlayMeasures::scored(Side side) {
-  end_pass(PlayOutcome::lost);
-  if (shot_) end_shot(roster_.side(shot_->robot) == side ? PlayOutcome::goal : PlayOutcome::missed);
+  end(pass_, PlayOutcome::lost);
+  if (shot_) end(shot_, roster_.side(shot_->robot) == side ? PlayOutcome::goal : PlayOutcome::missed);
   end_duel(duels_.scored(side));
 }
 
@@ -189,19 +179,17 @@ void PlayMeasures::ball_placed() {
 }
 
 void PlayMeasures::finish() {
-  end_pass(PlayOutcome::lost);
-  end_shot(PlayOutcome::missed);
+  end(pass_, PlayOutcome::lost);
+  end(shot_, PlayOutcome::missed);
   end_duel(duels_.dead());
   clearances_.drop();
 }
 
 void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bodies, std::optional<Side> last_touch,
                           RobotSet able) {
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (state.is_penalised(roster_.side(id), roster_.number(id))) {
-      able &= ~only(id);
-      continue;
-    }
+  const RobotSet active = roster_.everybody() & ~state.all_penalised(roster_);
+  able &= active;
+  for (const int id : Members(active)) {
     const BodyState& body = bodies[at(id)];
     walked_[at(id)] += length({body.vx, body.vy}) / samples_per_second;
   }
@@ -217,18 +205,11 @@ void PlayMeasures::sample(const GameState& state, std::span<const BodyState> bod
     Team& team = teams_[index(side)];
     team.ball_x += x;
     if (x > 0.0) ++team.in_opponent_half;
-    if (!keeps_goal(side, state.half, bodies, able)) ++team.goal_empty;
+    const RobotSet keepers = those(able & roster_.team(side), [&](int id) {
+      return in_penalty_area(field_, -attack(side, state.half), {bodies[at(id)].x, bodies[at(id)].y});
+    });
+    if (keepers == 0) ++team.goal_empty;
   }
-}
-
-// Whether an able robot of this side is in its own penalty area.
-bool PlayMeasures::keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const {
-  for (int number = 1; number <= roster_.team_size; ++number) {
-    const int id = roster_.id(side, number);
-    const BodyState& body = bodies[at(id)];
-    if (contains(able, id) && in_penalty_area(field_, -attack(side, half), {body.x, body.y})) return true;
-  }
-  return false;
 }
 
 PlayMetrics PlayMeasures::result(Side side) const {
@@ -239,72 +220,50 @@ PlayMetrics PlayMeasures::result(Side side) const {
   out.ball_x_metres = mean(own.ball_x, in_play_);
   out.goal_empty_seconds = seconds(own.goal_empty);
   out.opponent_half_share = share(own.in_opponent_half, in_play_);
-  for (int number = 1; number <= roster_.team_size; ++number) {
-    const double walked = walked_[at(roster_.id(side, number))];
+  for (const int id : Members(roster_.team(side))) {
+    const double walked = walked_[at(id)];
     out.robot_distance_metres.push_back(walked);
     out.distance_walked_metres += walked;
   }
   return out;
 }
 
-namespace {
-
-double way_in(double time, const config::Robot& robot) { return robot.body.radius + time * robot.walk.forward; }
-
-}  // namespace
-
 BallMeasures::BallMeasures(int team_size, const std::array<config::Robot, 2>& robots)
-    : roster_{team_size},
-      within_reach_{way_in(soon, robots[0]), way_in(soon, robots[1])},
-      decisions_(at(roster_.count())) {}
-
-bool BallMeasures::Decision::goes_for(const Vector& ball) const {
-  return plays || kicks || (target && squared_length(*target - ball) <= for_the_ball * for_the_ball);
+    : roster_{team_size}, decisions_(at(roster_.count())) {
+  for (std::size_t i = 0; i < 2; ++i) within_reach_[i] = robots[i].body.radius + soon * robots[i].walk.forward;
 }
 
 RobotSet BallMeasures::chasing(const GameState& state, const BodyState& ball, RobotSet able) const {
-  RobotSet out = 0;
-  for (int id = 0; id < roster_.count(); ++id) {
-    const Side side = roster_.side(id);
-    if (!contains(able, id) || state.is_penalised(side, roster_.number(id))) continue;
-    if (decisions_[at(id)].goes_for(attack(side, state.half) * Vector{ball.x, ball.y})) out |= only(id);
-  }
-  return out;
+  return those(able & roster_.everybody() & ~state.all_penalised(roster_), [&](int id) {
+    const auto& [plays, kicks, target] = decisions_[at(id)];
+    const Vector place = attack(roster_.side(id), state.half) * Vector{ball.x, ball.y};
+    return plays || kicks || (target && squared_length(*target - place) <= for_the_ball * for_the_ball);
+  });
 }
 
 void BallMeasures::sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able) {
   ++samples_;
   const BodyState& ball = bodies.back();
-  const Vector place{ball.x, ball.y};
   const RobotSet goes = chasing(state, ball, able);
+  const auto squared_distance = [&](int id) {
+    return squared_length(Vector{bodies[at(id)].x, bodies[at(id)].y} - Vector{ball.x, ball.y});
+  };
   bool neglected = false;
   int near = 0;
   for (const Side side : both_sides) {
-    int nearest = -1, chasing = 0;
-    double least = 0.0;  // m^2
-    for (int number = 1; number <= roster_.team_size; ++number) {
-      if (state.is_penalised(side, number)) continue;
-      const int id = roster_.id(side, number);
-      const BodyState& body = bodies[at(id)];
-      const double distance = squared_length(Vector{body.x, body.y} - place);
-      if (distance <= near_ball * near_ball) {
-        ++teams_[index(side)].near;
-        ++near;
-      }
-      if (!contains(able, id)) continue;
-      if (nearest < 0 || distance < least) {
-        nearest = id;
-        least = distance;
-      }
-      if (contains(goes, id)) ++chasing;
-    }
     Team& team = teams_[index(side)];
-    if (chasing >= 2) ++team.several;
+    const RobotSet active = roster_.team(side) & ~state.all_penalised(roster_);
+    const int near_of_team =
+        std::popcount(those(active, [&](int id) { return squared_distance(id) <= near_ball * near_ball; }));
+    team.near += near_of_team;
+    near += near_of_team;
+    if (std::popcount(goes & active) >= 2) ++team.several;
+    const int nearest = with_least(active & able, squared_distance);
     if (nearest < 0) continue;
     ++team.nearest;
     if (contains(goes, nearest)) ++team.nearest_plays;
     const double reach = within_reach_[index(side)];
-    if (least <= reach * reach) neglected = true;
+    if (squared_distance(nearest) <= reach * reach) neglected = true;
   }
   if (near >= crowd) ++crowd_;
   if (!neglected || squared_length({ball.vx, ball.vy}) >= at_rest * at_rest) {

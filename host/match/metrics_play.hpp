@@ -15,10 +15,16 @@
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
 #include "match/physics_world.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
+
+struct Begun {   // a play that has begun
+  int robot;     // id
+  double began;  // match time, s
+  Vector at;     // position of the ball at that time
+  int receiver = 0;
+};
 
 constexpr double cleared_way = 2.0;  // m towards the opponents' goal; assumption: a dribble pushes the ball less far
 
@@ -27,27 +33,21 @@ class Clearances {
  public:
   explicit Clearances(const config::FieldSize& field) : length_(field.length) {}
 
-  // Robot `id` has kicked the ball. This kick is now the pending kick, which may become a clearance. direction: attack
-  // direction, +1 or -1.
+  // Robot `id` has kicked the ball, which may become a clearance: the pending kick. direction of attack: +1 or -1.
   void kicked(int id, Vector ball, double direction, double time);
   void touched(int id) {
-    if (kick_ && kick_->id != id) kick_.reset();
+    if (kick_ && kick_->robot != id) kick_.reset();
   }
   void drop() { kick_.reset(); }  // forgets the pending kick, as it was a pass or a shot, or as the ball is dead
 
-  struct Kick {
-    int id;
-    Vector at;
-    double direction, began;
-  };
   // Must be called with each new ball position. Returns the pending kick if the position makes it a clearance.
-  std::optional<Kick> rolled(Vector ball);
+  std::optional<Begun> rolled(Vector ball);
 
  private:
-  double to_goal(Vector ball, double direction) const { return length(direction * ball + Vector{length_ / 2.0, 0.0}); }
+  double to_goal(Vector ball) const { return length(direction_ * ball + Vector{length_ / 2.0, 0.0}); }
 
-  double length_;
-  std::optional<Kick> kick_;  // pending kick: may become a clearance; empty: no such kick
+  double length_, direction_ = 1.0;  // direction_: attack direction of the kicking side
+  std::optional<Begun> kick_;        // pending kick: may become a clearance; empty: no such kick
 };
 
 constexpr double duel_reach = 0.5;     // m from the ball; assumption: two steps of a robot
@@ -112,8 +112,7 @@ class PlayMeasures {
   // robot that touched the ball; -1: nobody. half: half of the match, from 1.
   void step(const BodyState& ball, int touched_by, int half);
 
-  // Robot `id` has kicked the ball. Must be called before the step that moves the ball. receiver: shirt number of the
-  // teammate for whom the kick is meant; 0 = nobody.
+  // Robot `id` has kicked the ball, before the step that moves it. receiver: of a meant pass, shirt number; else 0.
   void kicked(int id, int receiver);
   void scored(Side side);  // a goal that counts
   void ball_placed();      // a person puts the ball down, which ends all present plays
@@ -140,23 +139,13 @@ class PlayMeasures {
     int robot;  // id
     Vector ball;
   };
-  // A play that has begun. began: match time, s. at: ball position at that time.
-  struct Begun {
-    int robot;  // id
-    double began;
-    Vector at;
-    int receiver = 0;
-  };
   void touched(int robot, const Ball& ball, int half);
-  void end_shot(PlayOutcome outcome);
-  void end_pass(PlayOutcome outcome);
+  void end(std::optional<Begun>& play, PlayOutcome outcome);  // play: shot_ or pass_
   void pass_met_by(int robot);  // ends the meant pass if another robot touches or kicks the ball
   void end_duel(const std::optional<Duels::Duel>& duel);
   void tell(PlayKind kind, const Begun& begun, PlayOutcome outcome) const;
   bool on_target(Side side, const Ball& ball, int half) const;
   PlayMetrics& counts(Side side) { return teams_[index(side)].counts; }
-
-  bool keeps_goal(Side side, int half, std::span<const BodyState> bodies, RobotSet able) const;
 
   Roster roster_;
   config::FieldSize field_;
@@ -216,8 +205,7 @@ class BallMeasures {
     decisions_[at(id)] = {plays, kicks, target};
   }
 
-  // The caller calls this ten times a second while the ball is in play. bodies: robots by id, then the ball. able:
-  // robots that stand and have not crashed; penalised robots are ignored.
+  // Must be called ten times a second while the ball is in play. bodies, able: as in PlayMeasures::sample().
   void sample(const GameState& state, std::span<const BodyState> bodies, RobotSet able);
 
   // Returns the robots of `able` that go for the ball, by their last decisions. able: as in sample().
@@ -231,7 +219,6 @@ class BallMeasures {
   struct Decision {
     bool plays = false, kicks = false;
     std::optional<Vector> target;
-    bool goes_for(const Vector& ball) const;
   };
   struct Team {
     int near = 0;                                     // sum over samples of the number of robots near the ball

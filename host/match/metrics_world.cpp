@@ -26,14 +26,15 @@ OspaParts Ospa::operator()(std::span<const Vector> a, std::span<const Vector> b)
           cutoff_ * static_cast<double>(b.size() - a.size()) / count};
 }
 
-namespace {
-
 // Quantile 0.95 of the chi-square law with two degrees of freedom: -2 ln 0.05.
 constexpr double chi_square_95 = 5.991464547107981;
 
-}  // namespace
+WorldMeasures::WorldMeasures(int team_size) : ospa_(ospa_cutoff, at(team_size)) {}
 
-WorldMeasures::WorldMeasures(int team_size) : ospa_(ospa_cutoff, at(team_size)), sees_ball_(at(team_size), 0) {}
+void WorldMeasures::looked(int number, bool sees_ball) {
+  const std::uint32_t robot = 1u << (number - 1);
+  sees_ball_ = sees_ball ? sees_ball_ | robot : sees_ball_ & ~robot;
+}
 
 void WorldMeasures::Errors::add(const Estimate& estimate, Vector truth) {
   ++asked;
@@ -60,21 +61,16 @@ EstimateMetrics WorldMeasures::Errors::result() const {
 
 void WorldMeasures::sample(std::uint32_t active) {
   ++samples_;
-  for (std::size_t i = 0; i < sees_ball_.size(); ++i) {
-    if (sees_ball_[i] == 0 || (active >> i & 1u) == 0) continue;
-    ++seen_;
-    return;
-  }
+  if ((sees_ball_ & active) != 0) ++seen_;
 }
 
 void WorldMeasures::compare(int number, const Belief& belief, const Truth& truth) {
   ball_.add(belief.ball, truth.ball);
-  for (std::size_t i = 0; i < truth.own.size(); ++i) {
-    if ((truth.active >> i & 1u) == 0) continue;
-    if (static_cast<int>(i) == number - 1) {
-      self_.add(belief.self, truth.own[i]);
+  for (const int i : Members(truth.active)) {
+    if (i == number - 1) {
+      self_.add(belief.self, truth.own[at(i)]);
     } else {
-      teammates_.add(belief.teammates[i], truth.own[i]);
+      teammates_.add(belief.teammates[at(i)], truth.own[at(i)]);
     }
   }
   const OspaParts parts = ospa_(belief.opponents, truth.opponents);
@@ -85,16 +81,14 @@ void WorldMeasures::compare(int number, const Belief& belief, const Truth& truth
 }
 
 WorldModelMetrics WorldMeasures::result() const {
-  WorldModelMetrics out;
-  out.ball = ball_.result();
-  out.self = self_.result();
-  out.teammates = teammates_.result();
-  out.ospa_metres = mean(location_ + cardinality_, compared_);
-  out.ospa_location_metres = mean(location_, compared_);
-  out.ospa_cardinality_metres = mean(cardinality_, compared_);
-  out.opponents_listed = mean(listed_, compared_);
-  out.ball_seen_share = mean(seen_, samples_);
-  return out;
+  return {.ball = ball_.result(),
+          .self = self_.result(),
+          .teammates = teammates_.result(),
+          .ospa_metres = mean(location_ + cardinality_, compared_),
+          .ospa_location_metres = mean(location_, compared_),
+          .ospa_cardinality_metres = mean(cardinality_, compared_),
+          .opponents_listed = mean(listed_, compared_),
+          .ball_seen_share = mean(seen_, samples_)};
 }
 
 }  // namespace regista::match

@@ -19,7 +19,6 @@
 #include <span>
 #include <vector>
 
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/coordination/task_filter.hpp"
 
@@ -50,7 +49,6 @@ using Beliefs = std::function<void(Side side, int number, Belief& out)>;
 struct OspaParts {
   double location = 0.0;     // m: part due to the distances of assigned positions
   double cardinality = 0.0;  // m: part due to missing or superfluous positions
-  double sum() const { return location + cardinality; }
 };
 
 class Ospa {
@@ -84,7 +82,7 @@ class WorldMeasures {
   explicit WorldMeasures(int team_size);
 
   // The caller calls this after each decision of robot `number`. sees_ball: the decision's image showed the ball.
-  void looked(int number, bool sees_ball) { sees_ball_[at(number - 1)] = sees_ball ? 1 : 0; }
+  void looked(int number, bool sees_ball);
 
   // Takes a sample of ball_seen. active: the robots without penalty, bit n - 1 for robot n.
   void sample(std::uint32_t active);
@@ -110,7 +108,7 @@ class WorldMeasures {
   Ospa ospa_;
   int compared_ = 0, listed_ = 0;
   double location_ = 0.0, cardinality_ = 0.0;
-  std::vector<char> sees_ball_;
+  std::uint32_t sees_ball_ = 0;  // bit n - 1 for robot n
   int samples_ = 0, seen_ = 0;
 };
 

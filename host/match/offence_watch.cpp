@@ -24,8 +24,6 @@ OffenceWatch::OffenceWatch(const config::Rules& rules, Roster roster)
   calls_.reserve(watched_.size());
 }
 
-void OffenceWatch::forget(int id) { of(id) = {}; }
-
 void OffenceWatch::call(int id, Offence offence, int victim) {
   const bool called = std::ranges::find(calls_, id, &Offender::robot) != calls_.end();
   if (!called) calls_.push_back({id, offence, victim});
@@ -127,8 +125,7 @@ void OffenceWatch::watch_goal_areas(const Scene& scene, const GameState& state, 
     const double end = -attack(side, state.half);
     int inside = 0;
     RobotSet entered = 0;
-    for (int number = 1; number <= roster_.team_size; ++number) {
-      const int id = roster_.id(side, number);
+    for (const int id : Members(roster_.team(side))) {
       Watched& robot = of(id);
       const bool was = robot.in_goal_area;
       robot.in_goal_area = contains(playing, id) && in_goal_area(rules_.field, end, place_of(scene, id));
@@ -179,8 +176,5 @@ void PenaltyBox::send(int id, Offence offence) {
 void PenaltyBox::pass(double seconds) {
   for (const int id : Members(inside_)) remaining_[at(id)] -= seconds;
 }
-
-void PenaltyBox::release(int id) { inside_ &= ~only(id); }
-void PenaltyBox::empty() { inside_ = 0; }
 
 }  // namespace regista::match

@@ -20,7 +20,6 @@
 
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -56,7 +55,7 @@ class OffenceWatch {
   // Returns at most one offence for each robot. The result is valid until the next call.
   std::span<const Offender> watch(const Scene& scene, const GameState& state, RobotSet playing);
 
-  void forget(int id);  // clears all times of a robot that was put down or removed
+  void forget(int id) { of(id) = {}; }  // clears all times of a robot that was put down or removed
 
  private:
   struct Watched {
@@ -96,10 +95,10 @@ class PenaltyBox {
  public:
   PenaltyBox(const config::Penalties& penalties, Roster roster);
 
-  void send(int id, Offence offence);  // a penalty begins
-  void pass(double seconds);           // reduces all remaining times; called in Ready and Playing only
-  void release(int id);                // a penalty ends
-  void empty();                        // ends all penalties at the end of a half; the counts of offences remain
+  void send(int id, Offence offence);             // a penalty begins
+  void pass(double seconds);                      // reduces all remaining times; called in Ready and Playing only
+  void release(int id) { inside_ &= ~only(id); }  // a penalty ends
+  void empty() { inside_ = 0; }  // ends all penalties at the end of a half; the counts of offences remain
 
   RobotSet inside() const { return inside_; }                    // the penalised robots
   bool served(int id) const { return remaining(id) <= 1e-6; }    // the penalty time is over

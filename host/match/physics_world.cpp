@@ -28,9 +28,7 @@ class Touches : public b2ContactListener {
   explicit Touches(int robots) : ball_(robots) {}
 
   void begin_step() {
-    contacts_.robots_on_ball = contacts_.robots_on_robots = contacts_.robots_on_walls = 0;
-    contacts_.pair_count = 0;
-    contacts_.hardest_on_ball = -1;
+    contacts_ = {};
     hardest_ = 0.0f;
   }
   const Contacts& contacts() const { return contacts_; }
@@ -228,8 +226,7 @@ void PhysicsWorld::drive(int robot, Vector velocity, double turn, double acceler
   const BodyState& now = world_->states[at(robot)];
   Vector change{velocity.x - now.vx, velocity.y - now.vy};
   double turn_change = turn - now.turn;
-  // A velocity that the robot already has is not set again, so that Box2D can put a resting robot to sleep. The
-  // comparison is in float, because Box2D stores floats.
+  // A velocity that the robot has (in float, as Box2D stores it) is not set again, so that a resting robot can sleep.
   if (static_cast<float>(velocity.x) == now.vx && static_cast<float>(velocity.y) == now.vy &&
       static_cast<float>(turn) == now.turn) {
     return;
@@ -275,20 +272,23 @@ void PhysicsWorld::step() {
 const Contacts& PhysicsWorld::contacts() const { return world_->touches.contacts(); }
 void PhysicsWorld::record(PhysicsLog* log) { world_->log = log; }
 
-void PhysicsWorld::replay_step(std::span<const Operation> operations) {
+void PhysicsWorld::replay(const PhysicsLog& log) {
   World& world = *world_;
-  for (const Operation& operation : operations) {
-    const b2Vec2 value(operation.x, operation.y);
-    if (operation.kind == Operation::Kind::velocity) {
-      world.set_velocity(operation.body, value, operation.turn);
-    } else {
-      world.set_pose(operation.body, value, operation.turn);
+  std::size_t done = 0;
+  for (const std::uint32_t end : log.step_ends) {
+    for (; done < end; ++done) {
+      const Operation& operation = log.operations[done];
+      const b2Vec2 value(operation.x, operation.y);
+      if (operation.kind == Operation::Kind::velocity) {
+        world.set_velocity(operation.body, value, operation.turn);
+      } else {
+        world.set_pose(operation.body, value, operation.turn);
+      }
     }
+    world.box2d.Step(step_seconds, velocity_iterations, position_iterations);
   }
-  world.box2d.Step(step_seconds, velocity_iterations, position_iterations);
+  world.observe();
 }
-
-void PhysicsWorld::observe() { world_->observe(); }
 
 }  // namespace regista::match
 
@@ -297,27 +297,3 @@ void PhysicsWorld::observe() { world_->observe(); }
 [[gnu::weak]] b2Timer::b2Timer() { Reset(); }
 [[gnu::weak]] void b2Timer::Reset() { m_start_sec = m_start_usec = 0; }
 [[gnu::weak]] float b2Timer::GetMilliseconds() const { return 0.0f; }
-
-namespace regista::match {
-
-Replay::Replay(const PhysicsLog& log) : log_(log), arena_(log.field, log.ball, log.robots) {}
-
-bool Replay::step() {
-  if (next_ == log_.step_ends.size()) return false;
-  const std::size_t end = log_.step_ends[next_++];
-  arena_.replay_step(std::span(log_.operations).subspan(done_, end - done_));
-  done_ = end;
-  return true;
-}
-
-void Replay::run() {
-  while (step()) {
-  }
-}
-
-std::span<const BodyState> Replay::states() {
-  arena_.observe();
-  return arena_.states();
-}
-
-}  // namespace regista::match

@@ -13,7 +13,6 @@
 
 #include "config/robot.hpp"
 #include "config/rules.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 
@@ -28,7 +27,7 @@ struct Operation {
   float x, y, turn;
 };
 
-struct PhysicsLog {  // the recording of a match for Replay
+struct PhysicsLog {  // the recording of a match for replay(), from before its first step
   config::FieldSize field;
   config::BallSize ball;
   std::vector<config::Body> robots;
@@ -58,8 +57,7 @@ struct Contacts {
 
 class PhysicsWorld {
  public:
-  // Creates the bodies of all robots and the ball. The id of a robot is its index in `robots`. A body is at the origin
-  // until place() or place_ball() is called for it.
+  // Creates the bodies of robots and ball, at the origin. The id of a robot is its index in `robots`.
   PhysicsWorld(const config::FieldSize& field, const config::BallSize& ball, std::span<const config::Body> robots);
   ~PhysicsWorld();
   PhysicsWorld(PhysicsWorld&&) noexcept;
@@ -68,9 +66,8 @@ class PhysicsWorld {
   // rad/s^2) limit the change in one step. Must be called for each robot before each step(), or the robot slides on.
   void drive(int robot, Vector velocity, double turn, double acceleration, double turn_acceleration);
 
-  // place() and place_ball() put a body down at rest. kick() sets the ball's velocity. They throw
-  // std::invalid_argument, which names the body, for a pose or velocity that is not finite. Box2D would abort on such a
-  // pose, and would pass on such a velocity to other bodies.
+  // place() and place_ball() put a body down at rest. kick() sets the ball's velocity. For a value that is not finite,
+  // they throw std::invalid_argument, which names the body: Box2D would abort, or pass the value on to other bodies.
   void place(int robot, const mind::Pose& pose);
   void place_ball(Vector position);
   void kick(Vector ball_velocity);
@@ -87,32 +84,14 @@ class PhysicsWorld {
   // Appends all further operations to `log`, which the caller owns. Null: records nothing.
   void record(PhysicsLog* log);
 
-  // Applies the recorded operations of one step and simulates the step. Does not update contacts() and states().
-  void replay_step(std::span<const Operation> operations);
-  void observe();  // updates states() after replay_step()
+  // Replays a match, without minds and rules, in a new world that is made as for the match; benchmarks compare the
+  // times. Then states() is as after the match, only the ball is faster, by half a step's friction.
+  void replay(const PhysicsLog& log);
 
  private:
   struct World;
   std::unique_ptr<World> world_;
   std::span<const BodyState> states_;  // memory in world_
-};
-
-// Replays the physics of a recorded match, without minds and rules. Benchmarks compare the times of match and replay.
-class Replay {
- public:
-  // The caller owns `log`, which must outlive the replay. Recording must have begun before the first step of the match.
-  explicit Replay(const PhysicsLog& log);
-
-  std::size_t steps() const { return log_.step_ends.size(); }
-  bool step();  // replays one physics step; false at the end of the log
-  void run();   // replays all remaining steps
-  // The states after the last replayed step, as in the match. Only the ball is faster, by half a step's friction.
-  std::span<const BodyState> states();
-
- private:
-  const PhysicsLog& log_;
-  PhysicsWorld arena_;
-  std::size_t next_ = 0, done_ = 0;
 };
 
 }  // namespace regista::match

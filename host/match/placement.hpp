@@ -9,25 +9,23 @@
 
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 
 namespace regista::match {
 
-// --- Areas of section 1.1 of the rule book. grown: distance by which an area is extended to all sides, m.
+// --- Areas of section 1.1 of the rule book.
 
-inline bool in_box(const config::FieldSize& field, double end, double length, double width, Vector at, double grown) {
-  return end * at.x > field.length / 2.0 - length - grown && end * at.x < field.length / 2.0 + grown &&
-         std::fabs(at.y) < width / 2.0 + grown;
+inline bool in_box(const config::FieldSize& field, double end, double length, double width, Vector at) {
+  return end * at.x > field.length / 2.0 - length && end * at.x < field.length / 2.0 && std::fabs(at.y) < width / 2.0;
 }
 
-inline bool in_goal_area(const config::FieldSize& field, double end, Vector at, double grown = 0.0) {
-  return in_box(field, end, field.goal_area_length, field.goal_area_width, at, grown);
+inline bool in_goal_area(const config::FieldSize& field, double end, Vector at) {
+  return in_box(field, end, field.goal_area_length, field.goal_area_width, at);
 }
 
-inline bool in_penalty_area(const config::FieldSize& field, double end, Vector at, double grown = 0.0) {
-  return in_box(field, end, field.penalty_area_length, field.penalty_area_width, at, grown);
+inline bool in_penalty_area(const config::FieldSize& field, double end, Vector at) {
+  return in_box(field, end, field.penalty_area_length, field.penalty_area_width, at);
 }
 
 inline bool in_centre_circle(const config::FieldSize& field, Vector at) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Plane vectors and angles for true positions, and tests of which points a camera sees. Metres and radians.
+// Plane vectors for true positions, and tests of which points a camera sees. Metres and radians.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 
 namespace regista::match {
 
@@ -22,15 +21,8 @@ constexpr double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 constexpr double squared_length(Vector a) { return dot(a, a); }
 inline double length(Vector a) { return std::sqrt(squared_length(a)); }
 
-// Returns `a` rotated by the angle with the given cosine and sine.
 constexpr Vector turned(Vector a, double cosine, double sine) {
   return {cosine * a.x - sine * a.y, sine * a.x + cosine * a.y};
-}
-
-// Returns the angle in (-pi, pi] that differs from `angle` by full turns.
-inline double wrapped(double angle) {
-  const double rest = std::remainder(angle, 2.0 * std::numbers::pi);
-  return rest <= -std::numbers::pi ? std::numbers::pi : rest;
 }
 
 // --- Visibility of many points at once. inside() tells which points lie in a camera's sector; hidden() tells whether a

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Radio simulates the radio channel of one team. A packet goes to all teammates. For each receiver the delay has a
-// fixed part and uniform jitter, and the packet may be lost. The referee decides which robots may send, and counts
-// packets.
+// fixed part and uniform jitter, and the packet may be lost. The referee says who may send, and counts packets.
 //
 // Disturbances of delay and jitter: the larger value of sender and receiver counts. Disturbances of loss: the
 // receiver's value counts. A receiver does not get a packet if the sender or the receiver is silent at the time of

@@ -28,24 +28,16 @@ void IndirectKick::touched(int id, Side side, bool kicked, Vector ball, double t
   if (kind_ == Kind::none) return;
   if (taker_ < 0 && side == side_) taker_ = id;
   if (id != taker_) {
-    if (kind_ == Kind::penalty_kick) {
-      over();
-    } else {
-      played_by_another(id, kicked, time);
-    }
+    if (id != other_ || time - until_ > touch_is_over) since_ = time;
+    other_ = id;
+    until_ = time;
+    if (kind_ == Kind::penalty_kick || kicked || until_ - since_ >= dribbles) over();
     return;
   }
   if (kind_ == Kind::free_kick && played_on_ && kicked) over();
   if (kind_ == Kind::penalty_kick && touched_ > 0.0 && time - touched_ > touch_is_over) played_on_ = true;
   left_at_ = ball;
   touched_ = time;
-}
-
-void IndirectKick::played_by_another(int id, bool kicked, double time) {
-  if (id != other_ || time - until_ > touch_is_over) since_ = time;
-  other_ = id;
-  until_ = time;
-  if (kicked || until_ - since_ >= dribbles) over();
 }
 
 void IndirectKick::ball_at(Vector ball) {
@@ -83,14 +75,6 @@ Referee::Referee(const config::Rules& rules, double robot_radius, const config::
   pending_.reserve(64);
   state_.packets_left.fill(config::packets(rules_.messages));
 }
-
-RobotSet Referee::playing() const {
-  const RobotSet everybody = (RobotSet{1} << roster_.count()) - 1;
-  return everybody & ~box_.inside();
-}
-
-// Returns whether `duration` has passed since `moment`. The tolerance exists because sums of steps are not exact.
-bool Referee::since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
 
 void Referee::note(EventKind kind, Side side, int number, Offence offence) {
   calls_.events.push_back({kind, side, number, offence});
@@ -261,8 +245,9 @@ void Referee::touch(const Scene& scene) {
   const int robot = scene.touched_by;
   const Side side = roster_.side(robot);
   if (state_.set_play != SetPlay::none) {
-    if (side != state_.kicking) {
-      touched_too_early(robot);
+    if (side != state_.kicking) {  // the ball is put back
+      calls_.ball = ball_ = state_.spot;
+      if (plays(robot)) penalise(robot, Offence::illegal_position);
       return;
     }
     if (state_.set_play == SetPlay::penalty_kick) indirect_.penalty_kick(side);
@@ -271,13 +256,6 @@ void Referee::touch(const Scene& scene) {
   indirect_.touched(robot, side, scene.kicked, ball_, time_);
   last_touch_ = robot;
   touched_since_kick_off_ = true;
-}
-
-// A robot of the defending side has touched the ball of a set play too early: the ball is put back.
-void Referee::touched_too_early(int robot) {
-  calls_.ball = state_.spot;
-  ball_ = state_.spot;
-  if (plays(robot)) penalise(robot, Offence::illegal_position);
 }
 
 void Referee::play(const Scene& scene) {

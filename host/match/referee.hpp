@@ -29,7 +29,6 @@
 #include "config/rules.hpp"
 #include "match/game_state.hpp"
 #include "match/offence_watch.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {
@@ -55,7 +54,6 @@ class IndirectKick {
  private:
   enum class Kind { none, free_kick, penalty_kick };
   IndirectKick(double circle, Kind kind, Side side) : circle_(circle), kind_(kind), side_(side) {}
-  void played_by_another(int id, bool kicked, double time);
 
   double circle_;
   Kind kind_ = Kind::none;
@@ -99,8 +97,7 @@ class Referee {
   const Calls& update(const Scene& scene);  // must be called after each physics step
 
   // The caller calls this before a robot of `side` sends a packet. Charges the packet in Ready, Set and Playing.
-  // Returns false if the packet must not be sent: in the other phases, or because the packet is too long. The next
-  // update() returns the events that the packet causes.
+  // Returns false if it must not be sent: in other phases, or if it is too long. The next update() returns the events.
   bool packet(Side side, std::size_t bytes);
 
  private:
@@ -113,7 +110,6 @@ class Referee {
   void finish(Ended how);
   void play(const Scene& scene);
   void touch(const Scene& scene);
-  void touched_too_early(int robot);
   bool ball_left();
   bool goal_counts(Side scorer) const;
   void goal(Side scorer);
@@ -141,8 +137,9 @@ class Referee {
   }
   void note(EventKind kind, Side side, int number = 0, Offence offence = Offence::none);
   bool plays(int id) const { return !contains(box_.inside(), id); }
-  RobotSet playing() const;
-  bool since(double moment, double duration) const;
+  RobotSet playing() const { return roster_.everybody() & ~box_.inside(); }
+  // Returns whether `duration` has passed since `moment`. The tolerance exists because sums of steps are not exact.
+  bool since(double moment, double duration) const { return time_ - moment >= duration - 1e-6; }
   bool on_goal_line(int id) const;
   double direction(Side side) const { return attack(side, state_.half); }
   Vector where(int id) const { return where_[at(id)]; }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The functions of Referee that watch robots. They keep the ball of a set play free, penalise offences, remove robots
-// at illegal positions and let robots return. referee.cpp has the functions for phases, set plays and goals.
+// The functions of Referee that watch, penalise, move and readmit robots. Phases, set plays and goals: referee.cpp.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,39 +18,34 @@ constexpr double moved = 0.25;      // m; the game is not stuck when the ball mo
 
 }  // namespace
 
-// Returns whether the robot touches the goal line that it defends.
 bool Referee::on_goal_line(int id) const {
   const double line = -direction(roster_.side(id)) * rules_.field.length / 2.0;
   return std::fabs(where(id).x - line) <= robot_radius_ + rules_.field.line_width / 2.0;
 }
 
 void Referee::watch_set_play() {
+  const Side defender = opposite(state_.kicking);
+  RobotSet intruders = 0;
   if (state_.set_play == SetPlay::penalty_kick) {
-    RobotSet intruders = intruders_at_penalty_kick(rules_, state_, roster_, where_, playing());
-    const Side defender = opposite(state_.kicking);
+    intruders = intruders_at_penalty_kick(rules_, state_, roster_, where_, playing());
     const int goalkeeper = roster_.id(defender, 1);
     const bool leaves_line = plays(goalkeeper) && !on_goal_line(goalkeeper) &&
                              in_penalty_area(rules_.field, -direction(defender), where(goalkeeper));
     if (leaves_line) intruders |= only(goalkeeper);
-    for (const int id : Members(intruders)) penalise(id, Offence::illegal_position);
-    return;
-  }
-  if (state_.set_play == SetPlay::kick_off) {
-    const RobotSet intruders = intruders_at_kick_off(rules_, state_, roster_, where_, playing());
-    for (const int id : Members(intruders)) penalise(id, Offence::illegal_position);
-    return;
-  }
-  const double near = rules_.set_play_distance;
-  const Side defender = opposite(state_.kicking);
-  for (int number = 1; number <= rules_.team_size; ++number) {
-    const int id = roster_.id(defender, number);
-    double& leave_by = leave_by_[at(id)];
-    if (squared_length(where(id) - state_.spot) >= near * near) {
-      leave_by = 0.0;
-    } else if (plays(id) && since(leave_by, 0.0)) {
-      penalise(id, Offence::illegal_position);
+  } else if (state_.set_play == SetPlay::kick_off) {
+    intruders = intruders_at_kick_off(rules_, state_, roster_, where_, playing());
+  } else {
+    const double near = rules_.set_play_distance;
+    for (const int id : Members(roster_.team(defender))) {
+      double& leave_by = leave_by_[at(id)];
+      if (squared_length(where(id) - state_.spot) >= near * near) {
+        leave_by = 0.0;
+      } else if (plays(id) && since(leave_by, 0.0)) {
+        intruders |= only(id);
+      }
     }
   }
+  for (const int id : Members(intruders)) penalise(id, Offence::illegal_position);
 }
 
 void Referee::watch_offences(const Scene& scene) {
@@ -84,11 +78,7 @@ void Referee::pushed(const Offender& offender) {
 void Referee::watch_progress() {
   if (squared_length(ball_ - anchor_) > moved * moved) anchor(ball_);
   if (!since(anchored_, rules_.durations.game_stuck)) return;
-  int nearest = -1;
-  for (int id = 0; id < roster_.count(); ++id) {
-    if (!plays(id)) continue;
-    if (nearest < 0 || squared_length(where(id) - ball_) < squared_length(where(nearest) - ball_)) nearest = id;
-  }
+  const int nearest = with_least(playing(), [this](int id) { return squared_length(where(id) - ball_); });
   if (nearest < 0) return;
   const double near = rules_.offences.stuck_near_ball;
   if (squared_length(where(nearest) - ball_) <= near * near) {

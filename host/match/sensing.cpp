@@ -76,11 +76,10 @@ void Sensing::tell_pose(const mind::Pose& world, Purpose purpose, std::uint32_t 
   const config::Odometry& odometry = profile_.odometry;
   Chance chance(seed_, purpose, side_, number_, 0, tick);
   mind::Pose pose = in_field_frame(world, mirrored_ ? -direction_ : direction_);
-  const mind::Pose& bias = bias_;
   const double sign = mirrored_ ? -1.0 : 1.0;
-  pose.x += sign * bias.x + odometry.placing_noise * chance.normal();
-  pose.y += sign * bias.y + odometry.placing_noise * chance.normal();
-  pose.heading = wrapped(pose.heading + bias.heading + odometry.placing_turn_noise * chance.normal());
+  pose.x += sign * bias_.x + odometry.placing_noise * chance.normal();
+  pose.y += sign * bias_.y + odometry.placing_noise * chance.normal();
+  pose.heading = mind::wrap(pose.heading + bias_.heading + odometry.placing_turn_noise * chance.normal());
   placed_ = mind::PlacedPose{pose, odometry.placing_noise, odometry.placing_turn_noise};
 }
 
@@ -135,8 +134,7 @@ void Sensing::sense(const Truth& truth, double time, std::uint32_t tick, bool ab
   imagine_ball(tick, out);
 }
 
-// Sets the odometry: the motion since the last decision, in the robot frame of that decision. For a robot at rest, the
-// function adds no error and draws no random number.
+// Sets the odometry: the motion since the last decision, in its robot frame. A robot at rest has no error, and no draw.
 void Sensing::measure_motion(const BodyState& own, std::uint32_t tick, mind::Percepts& out) {
   out.odometry = {};
   const Vector position{own.x, own.y};
@@ -184,7 +182,6 @@ void Sensing::see_ball(Purpose purpose, std::size_t object, Vector ball) {
   }
 }
 
-// Collects the objects that the camera may see: in its sector, in range, and not behind a robot.
 void Sensing::find_candidates(const Truth& truth) {
   const config::Camera& camera = profile_.camera;
   candidates_.count = 0;

@@ -21,7 +21,6 @@
 #include "match/chance.hpp"
 #include "match/disturbances.hpp"
 #include "match/physics_world.hpp"
-#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 
@@ -38,8 +37,7 @@ struct Marks {
 
 class Sensing {
  public:
-  // The caller owns `profile`, `trouble` (disturbances of the robot's side) and `marks`, which must outlive this
-  // object. robot_radius: radius of the robots that hide objects, m.
+  // The caller owns the first three arguments, which must outlive this. robot_radius: of robots that hide objects, m.
   Sensing(const config::Robot& profile, const Disturbances& trouble, const Marks& marks, Roster roster, int id,
           std::uint64_t seed, double robot_radius);
 
@@ -57,8 +55,7 @@ class Sensing {
   void sense(const Truth& truth, double time, std::uint32_t tick, bool able, mind::Percepts& out);
 
  private:
-  // Objects that the camera may see. x, y: offset from the robot, world frame. probability: of seeing the object. There
-  // is room for the ball, all ghost balls, the other robots and the landmarks.
+  // Objects that the camera may see: ball, ghost balls, robots, landmarks. x, y: offset from the robot, world frame.
   struct Candidates {
     std::array<Draw, most_draws> draws;
     std::array<float, most_draws> x, y;

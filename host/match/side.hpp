@@ -10,9 +10,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 
 #include "match/plane.hpp"
-#include "mind/percepts.hpp"
+#include "mind/geometry.hpp"
 
 namespace regista::match {
 
@@ -30,12 +31,18 @@ constexpr const char* name(Side side) { return side == Side::home ? "home" : "aw
 // Returns +1 if the side attacks the goal at +x of the world frame in this half, else -1. half: from 1.
 constexpr double attack(Side side, int half) { return (side == Side::home) == (half % 2 == 1) ? 1.0 : -1.0; }
 
-// Converts a world pose to the field frame of a side that attacks towards `direction` (+1 or -1). The same function
-// converts a field pose to the world frame.
+// Converts a world pose to the field frame of a side that attacks towards `direction` (+1 or -1), and back.
 inline mind::Pose in_field_frame(const mind::Pose& world, double direction) {
-  if (direction > 0.0) return {world.x, world.y, wrapped(world.heading)};
-  return {-world.x, -world.y, wrapped(world.heading + std::numbers::pi)};
+  if (direction > 0.0) return {world.x, world.y, mind::wrap(world.heading)};
+  return {-world.x, -world.y, mind::wrap(world.heading + mind::pi)};
 }
+
+constexpr int largest_team = 22;
+
+using RobotSet = std::uint64_t;  // A set of robots of both sides: bit `id` stands for robot `id`.
+static_assert(2 * largest_team <= 64);
+constexpr RobotSet only(int id) { return RobotSet{1} << id; }
+constexpr bool contains(RobotSet set, int id) { return (set & only(id)) != 0; }
 
 // Converts between robot ids and (side, shirt number). Home 1..n have the ids 0..n-1; away 1..n have n..2n-1.
 struct Roster {
@@ -44,14 +51,9 @@ struct Roster {
   constexpr int id(Side side, int number) const { return (side == Side::home ? 0 : team_size) + number - 1; }
   constexpr Side side(int id) const { return id < team_size ? Side::home : Side::away; }
   constexpr int number(int id) const { return id % team_size + 1; }
+  constexpr RobotSet everybody() const { return only(count()) - 1; }
+  constexpr RobotSet team(Side side) const { return (only(team_size) - 1) << (side == Side::home ? 0 : team_size); }
 };
-
-constexpr int largest_team = 22;
-
-using RobotSet = std::uint64_t;  // A set of robots of both sides: bit `id` stands for robot `id`.
-static_assert(2 * largest_team <= 64);
-constexpr RobotSet only(int id) { return RobotSet{1} << id; }
-constexpr bool contains(RobotSet set, int id) { return (set & only(id)) != 0; }
 
 // Iterates over the ids of a set in ascending order: for (const int id : Members(set)).
 class Members {
@@ -66,5 +68,29 @@ class Members {
  private:
   RobotSet rest_;
 };
+
+// Returns the robots of `among` for which condition(id) holds.
+template <class Condition>
+RobotSet those(RobotSet among, Condition condition) {
+  RobotSet out = 0;
+  for (const int id : Members(among)) {
+    if (condition(id)) out |= only(id);
+  }
+  return out;
+}
+
+// Returns the robot of `among` with the least value(id); of equal values, the lowest id. -1: no robot is in `among`.
+template <class Value>
+int with_least(RobotSet among, Value value) {
+  int best = -1;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const int id : Members(among)) {
+    if (const double own = value(id); own < lowest) {
+      lowest = own;
+      best = id;
+    }
+  }
+  return best;
+}
 
 }  // namespace regista::match

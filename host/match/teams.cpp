@@ -8,10 +8,8 @@ namespace regista::match {
 
 mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::CallTracing tracing,
                 const mind::MindOptions& options) {
-  const r123::Philox2x64 philox;
-  const auto words = philox({{static_cast<std::uint64_t>(index(side)), 0}}, {{seed}});
   tracing.side = static_cast<std::int32_t>(index(side));
-  return {plan, number, words[0], tracing, options};
+  return {plan, number, r123::Philox2x64()({{index(side), 0}}, {{seed}})[0], tracing, options};
 }
 
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed, plugin::CallTracing tracing,
@@ -50,8 +48,7 @@ Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, cons
     setup.plugin_metrics[index(side)] = plan.metrics();
     all[index(side)] = minds(plan, side, setup.seed, tracing, options);
     for (mind::Mind& each : all[index(side)]) {
-      think[index(side)].push_back([&each](const mind::Percepts& percepts, std::span<const mind::HeardPacket> heard,
-                                           mind::Outcome& out) { each.think(percepts, heard, out); });
+      think[index(side)].push_back(std::bind_front(&mind::Mind::think, &each));
     }
   }
   const Beliefs beliefs = [&all](Side side, int number, Belief& out) {

@@ -14,9 +14,8 @@
 
 namespace regista::match {
 
-// mind() creates one mind of a side; minds() creates all minds of a side, by robot number. Random numbers depend on
-// (seed, side), so they stay with the side when two teams swap sides. Both throw plugin::Failure if a plugin cannot be
-// created. The functions set tracing.side to `side`.
+// mind() creates one mind of a side; minds() all of them, by robot number. Random numbers depend on (seed, side), so
+// they stay with the side when two teams swap sides. Both set tracing.side, and throw plugin::Failure like Mind.
 mind::Mind mind(const mind::TeamPlan& plan, Side side, int number, std::uint64_t seed, plugin::CallTracing tracing = {},
                 const mind::MindOptions& options = {});
 std::vector<mind::Mind> minds(const mind::TeamPlan& plan, Side side, std::uint64_t seed,
@@ -32,8 +31,7 @@ using AfterDecision = std::function<void(const mind::Mind&, const Decision&)>;
 Result play(Setup setup, const std::array<const mind::TeamPlan*, 2>& teams, const Observer* observer = nullptr,
             const AfterDecision& after = {}, plugin::CallTracing tracing = {});
 
-// Reads, for the metrics, what a mind believes in its world `mine`. The ball is known if `mine` has a ball that the
-// robot's own camera has not refuted. A teammate is known if it is active in `mine`.
+// Reads what a mind believes in its world `mine`: a ball that its camera has not refuted, and active teammates.
 void belief_of(const mind::Mind& mind, Belief& out);
 
 }  // namespace regista::match

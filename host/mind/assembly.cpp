@@ -26,9 +26,7 @@ std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned su
   parts_.push_back(&part);
   mailboxes_->connect(instance);
   // created_ gives every instance of a robot its own random stream.
-  const r123::Philox2x64 philox;
-  const auto words = philox({{static_cast<std::uint64_t>(stream), created_++}}, {{seed_}});
-  instance->reset(words[0]);
+  instance->reset(r123::Philox2x64()({{static_cast<std::uint64_t>(stream), created_++}}, {{seed_}})[0]);
   return instance;
 }
 

@@ -31,8 +31,7 @@ class Assembly {
   // Returns the behaviours in the order of TeamPlan::behaviours(). Must be called after contexts(): contexts and
   // behaviours may share instances, and the first use determines the order of creation.
   std::vector<plugin::Behaviour> behaviours();
-  // Returns the part of the plan (a use of a plugin) for which the instance with this place was created. If several
-  // uses share the instance: the first of them.
+  // Returns the part of the plan for which the instance with this place was created: of several uses, the first.
   const Part& part(std::size_t place) const { return *parts_.at(place); }
 
  private:

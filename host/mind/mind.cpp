@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <tuple>
 #include <utility>
 
 #include "config/rules.hpp"
@@ -13,18 +14,6 @@ namespace regista::mind {
 namespace {
 
 constexpr double time_rounding = 1e-3;  // s; packets round times to milliseconds
-
-// Copies the decision to the outcome, which the metrics read.
-void tell(const Decision& decision, Outcome& out) {
-  out.role = decision.own_role;
-  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
-  out.context = decision.context;
-  out.kept.clear();
-  for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
-  out.target.reset();
-  out.announced.reset();
-  if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
-}
 
 }  // namespace
 
@@ -56,14 +45,12 @@ struct Mind::Impl {
 
   void listen_to(const HeardPacket& packet);
   Vector2d target() const;
-  plugin::Behaviour& behaviour();
   regista_body body(const Percepts& percepts);
   Command act(const Percepts& percepts);
   void decide_to_send(const Percepts& percepts, Outcome& out);
   regista_budget budget() const;
   Report report(const Percepts& percepts) const;
   void say_receiver(Command& command);
-  void hand_over_metrics(Outcome& out);
 
   const TeamPlan& plan;
   FrameParts made;
@@ -99,7 +86,7 @@ Mind& Mind::operator=(Mind&&) noexcept = default;
 const Decision& Mind::decision() const { return parts_->coordination.decision(); }
 const WorldModel& Mind::world() const { return parts_->world; }
 std::span<const regista_event> Mind::events() const { return parts_->events; }
-std::span<const SegmentEvent> Mind::segments() const { return std::as_const(parts_->mailboxes).journal(); }
+std::span<const SegmentEvent> Mind::segments() const { return parts_->mailboxes.journal(); }
 std::span<const LogLine> Mind::log() const { return parts_->extensions.log().lines(); }
 std::span<const DrawnShape> Mind::drawings() const { return parts_->extensions.drawings().shapes(); }
 int Mind::number() const { return parts_->number; }
@@ -109,6 +96,7 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   Impl& parts = *parts_;
   const double dt = parts.first ? 0.0 : percepts.time - parts.now;
   assert(dt >= 0.0);
+  out.clear();
   parts.now = percepts.time;
   parts.game = percepts.game;
   parts.caller.begin_decision();
@@ -123,10 +111,17 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   out.command = parts.act(percepts);
   parts.say_receiver(out.command);
   parts.decide_to_send(percepts, out);
-  tell(decision, out);
+  out.role = decision.own_role;
+  out.assignment.assign(decision.role_of.begin(), decision.role_of.end());
+  out.context = decision.context;
+  for (const regista_task& task : decision.columns) out.kept.push_back(task.id);
+  if (decision.own_task != nullptr) out.target = Target{decision.own_task->after[0], decision.own_task->after[1]};
   if (parts.told_target) out.announced = Target{parts.told_target->x(), parts.told_target->y()};
   out.segments = parts.mailboxes.take_counts();
-  parts.hand_over_metrics(out);
+  parts.extensions.metrics().take(out.metrics);
+  if (const auto& wrong = parts.extensions.metrics().violation()) {
+    throw plugin::Failure(*wrong->plugin, &parts.caller, "metric", wrong->what);
+  }
   parts.extensions.mute(true);
   parts.mailboxes.complete_journal();
   parts.extensions.mute(false);
@@ -134,7 +129,6 @@ void Mind::think(const Percepts& percepts, std::span<const HeardPacket> heard, O
   ++parts.caller.tick;
 }
 
-// Sets the receiver of the kick, if the behaviour named one.
 void Mind::Impl::say_receiver(Command& command) {
   const std::optional<MeantPass>& pass = extensions.pass();
   if (!command.kick || !pass) return;
@@ -145,13 +139,6 @@ void Mind::Impl::say_receiver(Command& command) {
                               std::to_string(number));
   }
   command.kick->receiver = pass->receiver;
-}
-
-void Mind::Impl::hand_over_metrics(Outcome& out) {
-  extensions.metrics().take(out.metrics);
-  if (const auto& wrong = extensions.metrics().violation()) {
-    throw plugin::Failure(*wrong->plugin, &caller, "metric", wrong->what);
-  }
 }
 
 void Mind::Impl::listen_to(const HeardPacket& packet) {
@@ -178,11 +165,6 @@ Vector2d Mind::Impl::target() const {
   if (told_target) return *told_target;
   const regista_task* task = coordination.decision().own_task;
   return task != nullptr ? Vector2d(task->after[0], task->after[1]) : position(world.local().pose());
-}
-
-plugin::Behaviour& Mind::Impl::behaviour() {
-  const int role = coordination.decision().own_role;
-  return behaviours[role < 0 ? plan.behaviour_without_role() : plan.roles()[static_cast<std::size_t>(role)].behaviour];
 }
 
 regista_body Mind::Impl::body(const Percepts& percepts) {
@@ -213,7 +195,10 @@ regista_body Mind::Impl::body(const Percepts& percepts) {
 
 Command Mind::Impl::act(const Percepts& percepts) {
   robots_near.update(percepts, world.local().frame(), 2.0 * plan.robot().body.radius);
-  const regista_action& action = behaviour().act(coordination.decision().frame, body(percepts));
+  const int role = coordination.decision().own_role;
+  const std::size_t behaviour =
+      role < 0 ? plan.behaviour_without_role() : plan.roles()[static_cast<std::size_t>(role)].behaviour;
+  const regista_action& action = behaviours[behaviour].act(coordination.decision().frame, body(percepts));
   told_target.reset();
   if ((action.flags & REGISTA_ACTION_TARGET) != 0) told_target.emplace(action.target[0], action.target[1]);
   return carry_out({plan.rules(), plan.robot(), world.mine(), number, world.local().pose(), world.local().frame(),
@@ -241,8 +226,6 @@ void Mind::Impl::decide_to_send(const Percepts& percepts, Outcome& out) {
   const bool searching = decision.own_role >= 0 && (plan.purposes(decision.own_role) & REGISTA_BEHAVIOUR_SEARCHES) != 0;
   detector.detect(percepts, world, decision, searching, events);
 
-  out.send = false;
-  out.packet.clear();
   const Phase phase = percepts.game.phase;
   const bool may_send = phase == Phase::ready || phase == Phase::set || phase == Phase::playing;
   if (!may_send || percepts.penalised || decision.context < 0) return;
@@ -294,22 +277,13 @@ Report Mind::Impl::report(const Percepts& percepts) const {
                                ball.age};
   }
   // Chooses the five opponents that were seen last; of two opponents with equal age, the likelier one.
-  std::array<const regista_track*, Report::most_opponents> chosen{};
-  const auto younger = [](const regista_track* a, const regista_track* b) {
-    if (a->age != b->age) return a->age < b->age;
-    return a->weight != b->weight ? a->weight > b->weight : a->label < b->label;
-  };
-  for (const regista_track& track : world.local().opponents()) {
-    if (track.age > Report::tells_opponents_for) continue;
-    const regista_track* candidate = &track;
-    for (std::size_t i = 0; i < chosen.size() && candidate != nullptr; ++i) {
-      if (chosen[i] == nullptr || younger(candidate, chosen[i])) std::swap(chosen[i], candidate);
-    }
-  }
-  for (const regista_track* track : chosen) {
-    if (track == nullptr) break;
+  std::array<regista_track, Report::most_opponents> youngest;
+  const auto key = [](const regista_track& track) { return std::tuple(track.age, -track.weight, track.label); };
+  const auto end = std::ranges::partial_sort_copy(world.local().opponents(), youngest, {}, key, key).out;
+  for (const regista_track& track : std::span(youngest.begin(), end)) {
+    if (track.age > Report::tells_opponents_for) break;
     report.opponents[report.opponent_count++] = {
-        {track->x, track->y}, std::sqrt(0.5 * (track->covariance[0] + track->covariance[2])), track->age};
+        {track.x, track.y}, std::sqrt(0.5 * (track.covariance[0] + track.covariance[2])), track.age};
   }
   return report;
 }

@@ -24,8 +24,7 @@ namespace regista::mind {
 // What a mind records in addition to its outcomes. No option changes a decision.
 struct MindOptions {
   bool whole_frame = false;  // the mind also makes frame parts that no plugin reads (REGISTA_READS_*)
-  // For recorders. segments: whether segments() returns the events of the last decision. drawings: whether log() and
-  // drawings() return the log lines and drawings of the last decision.
+  // For recorders: whether segments() and whether log() and drawings() return what happened in the last decision.
   bool segments = false, drawings = false;
   LogSink log{};  // receives each log line when a plugin writes it
 };

@@ -3,8 +3,7 @@
 // decisions: measurements of the body, sightings of the camera, messages of the game controller, and packets. A mind
 // gets no other input, so it cannot know true positions. A real robot or another simulator can fill these structs.
 //
-// SI units, radians. Robot frame: x ahead, y left, origin between the feet. Field frame: of the robot's team. Robot
-// numbers begin with 1.
+// SI units, radians. Robot frame: x ahead, y left, origin between the feet. Field frame: of the robot's own team.
 #pragma once
 
 #include <Eigen/Core>

@@ -15,11 +15,10 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
 TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, const plugin::Catalogue& catalogue,
                    config::Mistakes& mistakes)
     : team_(std::move(team)), rules_(std::move(rules)), robot_(std::move(robot)) {
-  // Finds a plugin and checks the values of its parameters.
   const auto part = [&](const config::PluginUse& use, int kind, unsigned subject = 0) {
     Part out{nullptr, {}, use};
-    // A plugin without a name, or named at a location that was marked by Mistakes::doubt_place(), belongs to a mistake
-    // that was reported before.
+    // A plugin without a name, or at a location of Mistakes::doubt_place(), belongs to a mistake that was reported
+    // before.
     if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
     mistakes.attempt("", [&] {
       out.found = &catalogue.find(use, kind, subject);
@@ -32,18 +31,14 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
   opponents_ = part(team_.opponents, REGISTA_KIND_PREDICTOR, REGISTA_SUBJECT_OPPONENTS);
   teammates_ = part(team_.teammates, REGISTA_KIND_PREDICTOR, REGISTA_SUBJECT_TEAMMATES);
   for (const config::Context& context : team_.contexts) {
-    std::optional<Part> positioner;
-    if (!context.positioner.plugin.empty()) positioner = part(context.positioner, REGISTA_KIND_POSITIONER);
-    std::vector<TermPart> terms;
+    ContextPlan& parts = contexts_.emplace_back();
+    if (!context.positioner.plugin.empty()) parts.positioner = part(context.positioner, REGISTA_KIND_POSITIONER);
     for (const config::UtilityTerm& term : context.terms) {
-      terms.push_back({term.name, term.weight, part(term.use, REGISTA_KIND_UTILITY)});
+      parts.terms.push_back({term.name, term.weight, part(term.use, REGISTA_KIND_UTILITY)});
     }
-    contexts_.push_back({part(context.use, REGISTA_KIND_CONTEXT),
-                         std::move(positioner),
-                         part(context.assigner, REGISTA_KIND_ASSIGNER),
-                         part(context.sender, REGISTA_KIND_SENDER),
-                         std::move(terms),
-                         {}});
+    parts.condition = part(context.use, REGISTA_KIND_CONTEXT);
+    parts.assigner = part(context.assigner, REGISTA_KIND_ASSIGNER);
+    parts.sender = part(context.sender, REGISTA_KIND_SENDER);
   }
 
   const auto behaviour = [&](const std::string& name, const config::Location& where) {

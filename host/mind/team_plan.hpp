@@ -57,7 +57,6 @@ struct TermPart {  // a term of a context's utility
   Part part;
 };
 
-// The plugins of one context.
 struct ContextPlan {
   Part condition;
   std::optional<Part> positioner;  // empty: no waypoints, so no filter by waypoints and no offset
@@ -79,8 +78,7 @@ struct RoleRow {
   std::size_t behaviour = 0;  // index into TeamPlan::behaviours()
 };
 
-// The frame parts that a mind makes: each part that a plugin of the team declares to read (REGISTA_READS_*).
-// plugin/call_inputs.hpp detects a plugin that reads an undeclared part.
+// The frame parts that a plugin of the team declares to read (REGISTA_READS_*). plugin/call_inputs.hpp checks this.
 struct FrameParts {
   bool common_opponents = true, times = true;
   bool facings = true;               // facings of the kept tasks
@@ -119,8 +117,7 @@ class TeamPlan {
   // In the order of Team::contexts: the highest priority comes first.
   const std::vector<ContextPlan>& contexts() const { return contexts_; }
 
-  // Returns first the behaviours of roles, each once, in the order of the table of roles, then the team's other
-  // behaviours.
+  // The behaviours of roles, each once, in the order of the table of roles, then the team's other behaviours.
   const std::vector<BehaviourPlan>& behaviours() const { return behaviours_; }
   // Index into behaviours(): the behaviour of a robot without a role.
   std::size_t behaviour_without_role() const { return behaviour_without_role_; }
@@ -132,7 +129,6 @@ class TeamPlan {
   // Returns all parts of the team in a fixed order. Several parts may use the same plugin.
   std::vector<const Part*> parts() const;
 
-  // The frame parts that a mind must make for the team's plugins.
   const FrameParts& frame_parts() const { return frame_parts_; }
 
   // Names of the reasons to send packets: first the events of abi.h by number, then the reasons of the team's senders.

@@ -28,7 +28,6 @@
 
 namespace regista::recording {
 
-// The first bytes of every decision log.
 inline constexpr std::string_view decision_log_begin = R"({"kind":"match",)";
 
 class DecisionLog {

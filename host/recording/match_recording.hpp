@@ -18,12 +18,19 @@
 // record "match" contains teams, roles, contexts and field.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "match/match.hpp"
+#include "mcap/writer.hpp"
 #include "mind/mind.hpp"
+#include "recording/plugin_records.hpp"
 #include "recording/recording_metadata.hpp"
+#include "texts/json_text.hpp"
 
 namespace regista::recording {
 
@@ -45,11 +52,46 @@ class MatchRecording {
   void event(double time, const match::Event& event, const match::GameState& state);
   void play(double time, const match::PlayEvent& event);
   void stepped(const match::Snapshot& snapshot);
-  void close();
+  void close() { writer_.close(); }
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> parts_;
+  struct Channel {
+    std::optional<mcap::ChannelId> id;  // missing: no message was written yet
+    std::uint32_t count = 0;            // number of messages
+  };
+  struct Last {
+    LastDecision written;                  // the last written decision; role -1 after a crash of the robot
+    double decision = 0.0, belief = -1.0;  // s; times of the last written messages
+    bool shares = false;  // the next decision is written: another robot took the same role, or play has begun
+    Channel decisions, beliefs;
+  };
+  void add(Channel& channel, const std::string& name, std::string (*schema)());
+  void write(Channel& channel, double time);
+  // Adds the channel with its first message, because most matches do not need this channel.
+  void write(Channel& channel, double time, const char* name, std::string (*schema)());
+  void begin(double time);
+  void begin_of_robot(double time, match::Side side, int robot);
+  void write_segments(const mind::Mind& mind, const match::Decision& turn);
+  void write_log(const mind::Mind& mind, const match::Decision& turn);
+  void write_drawings(const mind::Mind& mind, const match::Decision& turn);
+  void write_decision(Last& robot, match::Side side, const mind::Mind& mind, double time);
+  void write_belief(Last& robot, match::Side side, const mind::Mind& mind, double time);
+
+  std::array<const mind::TeamPlan*, 2> plans_;
+  double at_stake_;
+  mcap::Writer writer_;
+  texts::JsonText json_;
+  Channel game_, events_, plays_, packets_, heard_, segments_, log_, drawings_;
+  std::array<mind::PacketLimits, 2> limits_;
+  std::array<bool, 2> with_common_{};  // true: a context of the team uses the common world
+  std::vector<mind::Segment> heard_segments_;
+  SentSegments sent_;
+  DrawnLayers layers_;
+  std::array<std::vector<Last>, 2> last_;  // by side and number - 1
+  std::uint64_t steps_ = 0;
+  double chunk_began_ = 0.0;
+  int half_ = 1;
+  mind::Phase phase_ = mind::Phase::initial;
 };
 
 }  // namespace regista::recording

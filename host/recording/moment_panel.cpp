@@ -59,7 +59,6 @@ Html matrix(const RecordedDecision& decision, const RecordedTeam& team, int own_
   return out;
 }
 
-// Draws the terms of the utilities in the robot's own row of the matrix.
 Html own_terms(const RecordedDecision& decision, const RecordedTeam& team, int own_number, Table& table) {
   const auto own = std::ranges::find(decision.rows, own_number);
   const auto context = static_cast<std::size_t>(decision.context);
@@ -117,7 +116,6 @@ Panel log_lines(const std::vector<RecordedLogLine>& lines, double left, double t
   return out;
 }
 
-// Draws the robot's decision, the utility estimation matrix and its terms.
 Panel why(const RecordedMatch& match, const RecordedMoment& moment, const RobotName& robot, double left, double top) {
   const RecordedTeam& team = match.teams()[static_cast<std::size_t>(robot.side)];
   Html out;

@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "config/errors.hpp"
-#include "recording/label_placement.hpp"
+#include "config/scalar.hpp"
 
 namespace regista::recording {
 namespace {
@@ -32,13 +32,12 @@ Html ellipse(const RecordedCovariance& c, double x, double y, const Scale& to) {
                to.x(x), to.y(y), longer * to.per_metre, shorter * to.per_metre, -angle * 180.0 / std::numbers::pi);
 }
 
-// The order in which labels choose their places: the chosen robot, its team, its tasks, then the ages of its beliefs
-// and the opponents.
+// Labels choose their places in this order: the chosen robot, its team, its tasks, ages of its beliefs, opponents.
 constexpr Labels::Style of_chosen{"role", 0, 10.5, true}, of_own_team{"role", 1, 10.5, true},
     of_tasks{"task-name", 2, 10.5, true}, of_ages{"age", 3, 9.5, false}, of_opponents{"role", 4, 10.5, false};
 
 // Draws home robots as discs and away robots as squares. kind: a class of the style sheet.
-Html robot_shape(const RecordedPose& pose, double radius, int side, int number, const char* kind, const Scale& to) {
+Html robot_shape(const mind::Pose& pose, double radius, int side, int number, const char* kind, const Scale& to) {
   const double x = to.x(pose.x), y = to.y(pose.y), r = radius * to.per_metre, half = 0.9 * r;
   Html out = drawn(R"(<g class="{}">)", kind);
   if (side == 0) {
@@ -60,11 +59,12 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
     const RecordedTeam& team = match.teams()[side];
     for (std::size_t i = 0; i < game.robots[side].size(); ++i) {
       const int number = static_cast<int>(i) + 1;
-      const RecordedPose& pose = game.robots[side][i];
+      const mind::Pose& pose = game.robots[side][i];
       const bool away = std::ranges::find(game.penalised[side], number) != game.penalised[side].end();
       const bool is_chosen = chosen && static_cast<std::size_t>(chosen->side) == side && chosen->number == number;
+      const double x = to.x(pose.x), y = to.y(pose.y), radius = team.robot_radius * to.per_metre;
       if (is_chosen) {
-        out << drawn(R"(<circle class="chosen" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", to.x(pose.x), to.y(pose.y),
+        out << drawn(R"(<circle class="chosen" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y,
                      (team.robot_radius + 0.12) * to.per_metre);
       }
       out << robot_shape(pose, team.robot_radius, static_cast<int>(side), number,
@@ -73,11 +73,10 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
                                      : "robot away",
                          to);
       if (std::ranges::find(game.fallen[side], number) != game.fallen[side].end()) {
-        const double x = to.x(pose.x), y = to.y(pose.y), r = (team.robot_radius + 0.05) * to.per_metre;
+        const double r = (team.robot_radius + 0.05) * to.per_metre;
         out << drawn(R"(<path class="fallen" d="M{:.1f} {:.1f}L{:.1f} {:.1f}M{:.1f} {:.1f}L{:.1f} {:.1f}"/>)", x - r,
                      y - r, x + r, y + r, x - r, y + r, x + r, y - r);
       }
-      const double x = to.x(pose.x), y = to.y(pose.y), radius = team.robot_radius * to.per_metre;
       labels.take(x, y, radius);
       const bool opponent = chosen && static_cast<std::size_t>(chosen->side) != side;
       const std::string name = away                       ? "penalised"
@@ -95,7 +94,7 @@ Html truth(const RecordedMatch& match, const RecordedGame& game, const std::opti
   return out << drawn(R"(<circle class="ball" cx="{:.1f}" cy="{:.1f}" r="{:.1f}"/>)", x, y, radius);
 }
 
-Html believed(const RecordedWorld& world, const RecordedPose& own, const RecordedTeam& team, const RobotName& robot,
+Html believed(const RecordedWorld& world, const mind::Pose& own, const RecordedTeam& team, const RobotName& robot,
               const Scale& to, Labels& labels) {
   const double radius = team.robot_radius * to.per_metre;
   Html out = robot.side == 0 ? R"x(<g class="of-home" clip-path="url(#field)">)x"_html
@@ -152,13 +151,12 @@ Html planned(const RecordedDecision& decision, const RecordedTeam& team, const S
   return out;
 }
 
-// Returns how far the outermost robot stands beside the carpet (the field and the strip around it), at most 1 m:
-// penalised robots wait there. half_width: of the carpet, m.
+// Returns how far (m, at most 1) penalised robots stand beside the carpet: the field and its strip, of this half width.
 double outside_of(const RecordedMatch& match, const RecordedGame& game, double half_width) {
   constexpr double farthest = 1.0, name = 0.25;  // m; a damaged recording may have any pose; room for a label
   double out = 0.0;
   for (const std::size_t side : {0u, 1u}) {
-    for (const RecordedPose& each : game.robots[side])
+    for (const mind::Pose& each : game.robots[side])
       out = std::max(out, std::abs(each.y) + match.teams()[side].robot_radius + name - half_width);
   }
   return std::min(out, farthest);
@@ -249,9 +247,8 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
 
 namespace {
 
-template <class Number>
-std::optional<Number> number_in(std::string_view text) {
-  Number out{};
+std::optional<int> whole_in(std::string_view text) {
+  int out = 0;
   const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
   if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
   return out;
@@ -269,19 +266,19 @@ Moment parse_moment(const std::string& typed) {
   out.typed = typed;
   std::string_view rest = typed;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
-    const auto half = number_in<int>(rest.substr(0, slash));
+    const auto half = whole_in(rest.substr(0, slash));
     if (!half || *half < 1 || *half > 99) refuse();
     out.half = *half;
     rest.remove_prefix(slash + 1);
   }
   double minutes = 0.0;
   if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
-    const auto whole = number_in<int>(rest.substr(0, colon));
+    const auto whole = whole_in(rest.substr(0, colon));
     if (!whole || *whole < 0) refuse();
     minutes = *whole;
     rest.remove_prefix(colon + 1);
   }
-  const auto seconds = number_in<double>(rest);
+  const auto seconds = config::typed_number(rest);
   if (!seconds || !(*seconds >= 0.0) || *seconds > 1e6) refuse();
   // The seconds need two digits, because 7:4 could mean 7:40 or 7:04.
   const bool two_digits = rest.size() == 2 || (rest.size() > 2 && rest[2] == '.');
@@ -299,7 +296,7 @@ RobotName parse_robot(const std::string& typed, int team_size) {
     out.side = 1;
     rest.remove_prefix(5);
   }
-  const auto number = number_in<int>(rest);
+  const auto number = whole_in(rest);
   if (!number || *number < 1 || *number > team_size) {
     throw config::BadInput(fmt::format("--robot: {}; expected 1 to {}, home/1 to home/{} or away/1 to away/{}",
                                        texts::in_quotes(typed), team_size, team_size, team_size));

@@ -5,14 +5,12 @@
 #include <array>
 #include <deque>
 #include <functional>
-#include <limits>
-#include <optional>
-#include <string_view>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include "mcap/reader.hpp"
+#include "texts/html.hpp"
 
 namespace regista::recording {
 namespace {
@@ -64,9 +62,8 @@ struct Number {
   std::size_t decimals = 0;
 };
 
-// Returns the number in the text. Returns nothing for a text with an exponent, with more than most_digits characters or
-// most_decimals decimals, or that is not the shortest text of its number (1.50, -0): the page can write only the
-// shortest text.
+// Returns the number in the text; nothing for a text with an exponent, too many digits or decimals, or that is not the
+// shortest text of its number (1.50, -0), the only one that the page can write.
 std::optional<Number> number_of(std::string_view text) {
   const bool negative = text.starts_with('-');
   if (negative) text.remove_prefix(1);
@@ -226,12 +223,9 @@ std::optional<std::string> packed(const std::filesystem::path& file) {
   return out;
 }
 
-std::string whole(const std::filesystem::path& path) {
-  const mcap::InputFile file(path);
-  std::string out;
-  file.read(0, static_cast<std::size_t>(file.size()), out);
-  return out;
-}
+// Each placeholder occurs once in the viewer's page; name_place comes before recording_place (viewer/README.md).
+constexpr std::string_view name_place = "@REGISTA_RECORDING_NAME@", recording_place = "@REGISTA_RECORDING@";
+constexpr std::string_view head_begin = "<head>\n<meta charset=\"utf-8\">\n";
 
 }  // namespace
 
@@ -241,7 +235,28 @@ std::string packed_recording(const std::filesystem::path& file) {
   } catch (const mcap::Error&) {
     // The file is damaged. The page gets it as it is and reads it as far as possible.
   }
-  return whole(file);
+  const mcap::InputFile whole(file);
+  std::string out;
+  whole.read(0, static_cast<std::size_t>(whole.size()), out);
+  return out;
+}
+
+std::optional<std::string> match_page(std::string_view viewer, std::string_view recording, std::string_view name,
+                                      std::string_view mark) {
+  const std::size_t at_name = viewer.find(name_place), at_recording = viewer.find(recording_place);
+  if (at_name == std::string_view::npos || at_recording == std::string_view::npos || at_recording < at_name) return {};
+  std::string out;
+  out.reserve(viewer.size() + recording.size() / 3 * 4 + 1000);
+  // The mark comes after the declaration of the encoding, because browsers look for the declaration in the first bytes.
+  const std::size_t head = viewer.find(head_begin), at_mark = head < at_name ? head + head_begin.size() : at_name;
+  out += viewer.substr(0, at_mark);
+  if (at_mark < at_name) out += mark;
+  out += viewer.substr(at_mark, at_name - at_mark);
+  out += texts::text(name).str();
+  out += viewer.substr(at_name + name_place.size(), at_recording - at_name - name_place.size());
+  texts::append_base64(out, recording);
+  out += viewer.substr(at_recording + recording_place.size());
+  return out;
 }
 
 }  // namespace regista::recording

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// A recording in the form that a page holds: every message complete, in two fifths of the bytes. Messages of one topic
+// The page that plays a recording. It contains viewer and recording, so it works from disk without a server.
+//
+// A page holds a recording in packed form: every message complete, in two fifths of the bytes. Messages of one topic
 // differ mostly in their numbers. So all messages with the same texts between their numbers form a table: these texts
 // are written once, and each column of numbers as differences from row to row. The page makes a message from its table
 // when the reader looks at it (viewer/src/recording/packed.ts).
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "mcap/encoding.hpp"
 
@@ -25,8 +28,15 @@ namespace regista::recording {
 //   the texts of numbers.
 inline constexpr auto packed_messages = static_cast<mcap::Opcode>(0x80);
 
-// Returns the bytes for a page: the packed form or, if the file is damaged or cut off, the file itself. The page then
-// shows what is readable and says what is missing.
+// Returns the bytes for a page: the packed form, or the file itself if it is damaged or cut off; the page then says so.
 std::string packed_recording(const std::filesystem::path& file);
+
+// Largest recording (bytes) that a browser can hold as one text.
+inline constexpr std::size_t largest_recording_in_a_page = std::size_t{256} << 20;
+
+// Returns the viewer's page with the recording in it, or nothing if the page has no place for a recording, because it
+// belongs to another version. viewer: the page built from viewer/. name: title. mark: markup for the top of the head.
+std::optional<std::string> match_page(std::string_view viewer, std::string_view recording, std::string_view name,
+                                      std::string_view mark = {});
 
 }  // namespace regista::recording

@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 #include "match/game_state.hpp"
 
@@ -19,14 +19,6 @@ std::int64_t milliseconds(double seconds) { return std::llround(seconds * 1e3); 
 
 std::string hexadecimal(const std::vector<std::uint8_t>& bytes) { return fmt::format("{:02x}", fmt::join(bytes, "")); }
 
-// Returns the entry of the robot with this number; adds missing entries.
-template <class T>
-T& of_robot(std::vector<T>& robots, int number) {
-  if (robots.size() < static_cast<std::size_t>(number)) robots.resize(static_cast<std::size_t>(number));
-  return robots[static_cast<std::size_t>(number - 1)];
-}
-
-constexpr std::string_view nothing = "[]";
 constexpr double period = 0.5;  // s
 
 const char* word(std::int32_t shape) {
@@ -64,20 +56,13 @@ void LastDecision::take(const mind::Decision& decision) {
 }
 
 std::uint64_t SentSegments::follow(match::Side side, int robot, const mind::SegmentEvent& event) {
-  if (event.kind == Kind::sent) {
-    of_robot(sent_[match::index(side)], robot).push_back({milliseconds(event.time), event.at, event.handle});
-  }
-  return event.kind == Kind::heard || event.kind == Kind::undelivered ? handle(side, event) : event.handle;
-}
-
-std::uint64_t SentSegments::handle(match::Side side, const mind::SegmentEvent& heard) const {
-  const std::vector<std::vector<Sent>>& robots = sent_[match::index(side)];
-  if (heard.sender < 1 || robots.size() < static_cast<std::size_t>(heard.sender)) return 0;
-  const std::vector<Sent>& own = robots[static_cast<std::size_t>(heard.sender - 1)];
+  if (event.kind == Kind::sent) sent_[{side, robot}].push_back({milliseconds(event.time), event.at, event.handle});
+  if (event.kind != Kind::heard && event.kind != Kind::undelivered) return event.handle;
+  const std::vector<Sent>& of_sender = sent_[{side, event.sender}];
   const auto key = [](const Sent& each) { return std::pair(each.milliseconds, each.at); };
-  const std::pair wanted(milliseconds(heard.time_sent), heard.at);
-  const auto found = std::ranges::lower_bound(own, wanted, {}, key);
-  return found != own.end() && key(*found) == wanted ? found->handle : 0;
+  const std::pair wanted(milliseconds(event.time_sent), event.at);
+  const auto found = std::ranges::lower_bound(of_sender, wanted, {}, key);
+  return found != of_sender.end() && key(*found) == wanted ? found->handle : 0;
 }
 
 void write(texts::JsonText& json, const SegmentRecord& record) {
@@ -105,21 +90,18 @@ void write(texts::JsonText& json, const SegmentRecord& record) {
   }
 }
 
-std::size_t DrawnLayers::layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape) {
-  const std::string_view plugin = shape.plugin;
-  const auto found = std::ranges::find_if(
-      of_robot, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
-  const auto place = static_cast<std::size_t>(found - of_robot.begin());
-  if (found == of_robot.end()) of_robot.push_back({shape.plugin, shape.layer, std::string(nothing), -period});
-  return place;
-}
-
 std::span<const DrawnLayers::Change> DrawnLayers::follow(match::Side side, int robot, double time,
                                                          std::span<const mind::DrawnShape> shapes, double direction) {
   changes_.clear();
-  std::vector<Layer>& own = of_robot(layers_[match::index(side)], robot);
+  std::vector<Layer>& own = layers_[{side, robot}];
   layer_of_.clear();
-  for (const mind::DrawnShape& shape : shapes) layer_of_.push_back(layer(own, shape));
+  for (const mind::DrawnShape& shape : shapes) {
+    const std::string_view plugin = shape.plugin;
+    const auto found =
+        std::ranges::find_if(own, [&](const Layer& each) { return each.plugin == plugin && each.name == shape.layer; });
+    layer_of_.push_back(static_cast<std::size_t>(found - own.begin()));
+    if (found == own.end()) own.push_back({shape.plugin, shape.layer, "[]", -period});
+  }
   for (std::size_t i = 0; i < own.size(); ++i) {
     Layer& each = own[i];
     if (time - each.told < period - 1e-9) continue;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// State that recordings and decision logs keep for each robot: its last written decision, the segments that its plugins
-// offered for packets, and the last recorded drawings of its plugins.
+// What recordings and decision logs remember of each robot: its last decision, offered segments, recorded drawings.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "match/side.hpp"
@@ -30,9 +30,8 @@ struct LastDecision {
 
 // --- Events of segments: a plugin offers bytes, the bytes leave in a packet or are dropped, teammates hear the packet.
 
-// Finds the offer of a segment that a teammate heard. The packet cannot tell: for each segment it has only the number
-// of the plugin's place in the team (mailboxes.hpp) and the bytes, not the handle of the offer. So this class remembers
-// each sent segment and finds it by sender, time of sending, and index in the packet.
+// Finds the offer of a segment that a teammate heard. The packet has only the plugin's place and the bytes, not the
+// handle of the offer, so each sent segment is found by sender, time of sending, and index in the packet.
 class SentSegments {
  public:
   // Returns the handle that the offering robot gave to the offer of this event; 0 if there is no offer or the offer is
@@ -40,14 +39,12 @@ class SentSegments {
   std::uint64_t follow(match::Side side, int robot, const mind::SegmentEvent& event);
 
  private:
-  std::uint64_t handle(match::Side side, const mind::SegmentEvent& heard) const;
-
   struct Sent {
     std::int64_t milliseconds;  // ms; time of sending, as precise as in packets
     int at;                     // index of the segment in its packet
     std::uint64_t handle;
   };
-  std::array<std::vector<std::vector<Sent>>, 2> sent_;  // by side and number - 1
+  std::map<std::pair<match::Side, int>, std::vector<Sent>> sent_;  // by side and number
 };
 
 struct SegmentRecord {
@@ -83,10 +80,8 @@ class DrawnLayers {
     std::string name, shapes;  // the shapes as last recorded
     double told = 0.0;         // s; time of the last record
   };
-  static std::size_t layer(std::vector<Layer>& of_robot, const mind::DrawnShape& shape);
-
-  std::array<std::vector<std::vector<Layer>>, 2> layers_;  // by side and number - 1
-  std::vector<std::size_t> layer_of_;                      // index of the layer of each shape in the current call
+  std::map<std::pair<match::Side, int>, std::vector<Layer>> layers_;  // by side and number
+  std::vector<std::size_t> layer_of_;  // index of the layer of each shape in the current call
   std::vector<Change> changes_;
   texts::JsonText json_;
 };

@@ -65,12 +65,10 @@ RecordedColour colour(const std::string& text) {
 }
 
 RecordedShape::Kind kind(const std::string& word) {
-  using Kind = RecordedShape::Kind;
-  if (word == "points") return Kind::points;
-  if (word == "line") return Kind::line;
-  if (word == "polygon") return Kind::polygon;
-  require(word == "text");
-  return Kind::text;
+  constexpr std::array words{"points", "line", "polygon", "text"};  // in the order of the enumeration
+  const auto found = std::ranges::find(words, word);
+  require(found != words.end());
+  return static_cast<RecordedShape::Kind>(found - words.begin());
 }
 
 RecordedShape shape(const nlohmann::json& json) {
@@ -122,7 +120,7 @@ std::vector<int> wholes(const nlohmann::json& json) {
 std::array<int, 2> two(const nlohmann::json& json) { return {whole(json.at(0)), whole(json.at(1))}; }
 std::array<std::vector<int>, 2> both(const nlohmann::json& json) { return {wholes(json.at(0)), wholes(json.at(1))}; }
 
-RecordedPose pose(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
+mind::Pose pose(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 RecordedCovariance covariance(const nlohmann::json& json) { return {json.at(0), json.at(1), json.at(2)}; }
 
 RecordedTeam team(const nlohmann::json& json) {
@@ -270,9 +268,8 @@ auto reading(const std::filesystem::path& file, const std::string& what, Read re
   throw mcap::Error(file, "is damaged: " + what + " cannot be read");
 }
 
-// The present drawing of a layer may be minutes old, because only changes are recorded. Only the last of thousands of
-// messages counts for each layer. So the class keeps messages as text and parses only the last ones completely.
-// DrawingsOfRobot and LogOfRobot throw nlohmann::json::exception or Senseless for an unreadable message.
+// Only changes of a layer are recorded, so its present drawing may be minutes old. Messages are kept as text, and only
+// the last of each layer is parsed completely. Throw nlohmann::json::exception or Senseless if one cannot be read.
 class DrawingsOfRobot {
  public:
   explicit DrawingsOfRobot(const RobotName& robot) : robot_(robot) {}
@@ -295,28 +292,6 @@ class DrawingsOfRobot {
   RobotName robot_;
   std::map<std::pair<std::string, std::string>, std::size_t> places_;  // key: plugin and layer
   std::vector<std::string> messages_;                                  // last message of each layer, at its place
-};
-
-class LogOfRobot {
- public:
-  explicit LogOfRobot(const RobotName& robot) : robot_(robot) {}
-  void take(std::string_view message) {
-    if (!is_of(robot_, heading_of(message, R"(,"plugin":)", {"side", "robot"}))) return;
-    last_.emplace_back(message);
-    if (last_.size() > most_log_lines) last_.pop_front();
-  }
-  std::vector<RecordedLogLine> lines() const {
-    std::vector<RecordedLogLine> out;
-    for (const std::string& message : last_) {
-      const nlohmann::json json = nlohmann::json::parse(message);
-      out.push_back({json.at("time"), json.at("plugin"), json.at("level"), json.at("text")});
-    }
-    return out;
-  }
-
- private:
-  RobotName robot_;
-  std::deque<std::string> last_;
 };
 
 }  // namespace
@@ -429,14 +404,17 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
   mcap::Message message;
   std::string told_before;
   DrawingsOfRobot drawings(robot.value_or(RobotName{}));
-  LogOfRobot log(robot.value_or(RobotName{}));
+  std::deque<std::string> log;  // the last messages of /log
   const std::uint64_t log_begins = log_time(time - log_seconds);
   while (next(reader, message, told_before)) {
     const std::string& topic = reader.channels().at(message.channel).topic;
     if (topic == "/draw") {
       reading(file_, "a message of /draw", [&] { drawings.take(message.data); });
     } else if (topic == "/log") {
-      if (message.log_time >= log_begins) reading(file_, "a message of /log", [&] { log.take(message.data); });
+      const auto of_robot = [&] { return is_of(*robot, heading_of(message.data, R"(,"plugin":)", {"side", "robot"})); };
+      if (message.log_time < log_begins || !reading(file_, "a message of /log", of_robot)) continue;
+      log.emplace_back(message.data);
+      if (log.size() > most_log_lines) log.pop_front();
     } else {
       last[topic] = message.data;
     }
@@ -445,16 +423,18 @@ RecordedMoment RecordedMatch::at(double time, const std::optional<RobotName>& ro
 
   RecordedMoment out;
   out.game = reading(file_, "a state of the game", [&] { return game(nlohmann::json::parse(last["/game"])); });
-  if (!last[decisions].empty()) {
-    out.decision =
-        reading(file_, "a message of " + decisions, [&] { return decision(nlohmann::json::parse(last[decisions])); });
-  }
-  if (!last[beliefs].empty()) {
-    out.belief =
-        reading(file_, "a message of " + beliefs, [&] { return belief(nlohmann::json::parse(last[beliefs])); });
-  }
+  const auto told = [&](const std::string& topic, auto read) {
+    return reading(file_, "a message of " + topic, [&] { return read(nlohmann::json::parse(last[topic])); });
+  };
+  if (!last[decisions].empty()) out.decision = told(decisions, decision);
+  if (!last[beliefs].empty()) out.belief = told(beliefs, belief);
   out.drawings = reading(file_, "a message of /draw", [&] { return drawings.drawings(); });
-  out.log = reading(file_, "a message of /log", [&] { return log.lines(); });
+  reading(file_, "a message of /log", [&] {
+    for (const std::string& each : log) {
+      const nlohmann::json json = nlohmann::json::parse(each);
+      out.log.push_back({json.at("time"), json.at("plugin"), json.at("level"), json.at("text")});
+    }
+  });
   return out;
 }
 

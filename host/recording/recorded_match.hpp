@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/rules.hpp"
+#include "mind/percepts.hpp"
 
 namespace regista::recording {
 
@@ -63,10 +64,6 @@ struct RecordedTeam {
   std::vector<RecordedContext> contexts;
 };
 
-struct RecordedPose {
-  double x = 0.0, y = 0.0, heading = 0.0;
-};
-
 // The true state of the game. Arrays are by side. Robot n has index n - 1.
 struct RecordedGame {
   double time = 0.0, clock = 0.0;
@@ -75,7 +72,7 @@ struct RecordedGame {
   std::array<int, 2> score{}, packets_left{};
   std::array<std::vector<int>, 2> penalised, fallen;  // numbers of robots
   std::array<double, 2> ball{};
-  std::array<std::vector<RecordedPose>, 2> robots;
+  std::array<std::vector<mind::Pose>, 2> robots;
   std::array<std::vector<int>, 2> roles;  // row of the table of roles for each robot; -1: no role, -2: not known
 };
 
@@ -85,7 +82,7 @@ struct RecordedCovariance {
 
 struct RecordedTeammate {
   int number = 0, role = -1;
-  RecordedPose pose;
+  mind::Pose pose;
   RecordedCovariance covariance;
   double age = 0.0;
 };
@@ -104,15 +101,15 @@ struct RecordedWorld {
 
 struct RecordedBelief {
   double time = 0.0;
-  RecordedPose pose;
+  mind::Pose pose;
   RecordedWorld mine;
   std::optional<RecordedWorld> common;
 };
 
 struct RecordedTask {
   int role = 0;
-  RecordedPose before;
-  std::optional<RecordedPose> after;  // missing: the task was not kept
+  mind::Pose before;
+  std::optional<mind::Pose> after;  // missing: the task was not kept
 };
 
 using RecordedMatrix = std::vector<std::vector<std::optional<double>>>;  // by row and column; missing: forbidden pair
@@ -135,16 +132,14 @@ struct RecordedMoment {
   RecordedGame game;
   std::optional<RecordedDecision> decision;
   std::optional<RecordedBelief> belief;
-  // Drawings of the robot's plugins, in the order in which their layers first appeared. A layer that is empty now stays
-  // in the list, so that the other layers keep their indices.
+  // Drawings of the robot's plugins, in the order in which their layers first appeared. Empty layers keep their index.
   std::vector<RecordedDrawing> drawings;
   std::vector<RecordedLogLine> log;  // log lines of the robot's plugins: at most 5, from the last 2 s
 };
 
 class RecordedMatch {
  public:
-  // Throws mcap::Error for a file that is not a recording of a match or that has another format version. The class
-  // reads damaged files as far as possible.
+  // Reads damaged files as far as possible. Throws mcap::Error for another kind of file or another format version.
   explicit RecordedMatch(const std::filesystem::path& file);
 
   const config::FieldSize& field() const { return field_; }
@@ -159,14 +154,12 @@ class RecordedMatch {
   // Returns whether the viewer's page can read the file: messages are in the order of time, log times count from the
   // beginning of the match, and no chunk uses LZ4. A file that another program has rewritten may not fit.
   bool fits_page() const { return fits_page_; }
-  // Writes a copy that fits. Throws mcap::Error; also if a chunk is damaged. The copy of a cut-off file is cut off,
-  // too.
+  // Writes a copy that fits; of a cut-off file, a cut-off copy. Throws mcap::Error; also if a chunk is damaged.
   void write_for_page(const std::filesystem::path& to) const;
 
   // Returns the first time at which the clock of this half shows `clock` seconds or more; nothing if it never does.
   std::optional<double> time_of(int half, double clock) const;
-  // Precondition: the match has the robot. Throws mcap::Error for unreadable messages and for times before the first
-  // /game.
+  // Precondition: the match has the robot. Throws mcap::Error for unreadable messages, and before the first /game.
   RecordedMoment at(double time, const std::optional<RobotName>& robot) const;
 
  private:

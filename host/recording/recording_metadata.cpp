@@ -19,35 +19,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+std::string value_text(const regista_value& value, const config::PluginParameter& declared, const mind::Part& part) {
+  using Type = config::PluginParameter::Type;
+  if (declared.type == Type::boolean) return value.number != 0.0 ? "true" : "false";
+  if (declared.type == Type::choice) return declared.choices.at(static_cast<std::size_t>(value.number));
+  if (declared.type == Type::text) return value.text != nullptr ? value.text : "";
+  if (declared.type != Type::file) return fmt::format("{}", value.number);
+  const auto files = part.parameters.files();
+  const auto file = std::ranges::find(files, declared.name, &plugin::FileUsed::parameter);
+  return file == files.end() ? "" : file->path.filename().string();
+}
+
 // Returns the values of all parameters, including defaults: "after=4.5 near=true".
 std::string parameters(const mind::Part& part) {
-  using Type = config::PluginParameter::Type;
   const auto declarations = plugin::declarations(std::span(part.found, 1));
   if (declarations.empty()) return {};
   std::string out;
   const auto values = part.parameters.values();
   for (std::size_t i = 0; i < values.size(); ++i) {
     const config::PluginParameter& declared = declarations.front().parameters[i];
-    std::string value;
-    switch (declared.type) {
-      case Type::boolean:
-        value = values[i].number != 0.0 ? "true" : "false";
-        break;
-      case Type::choice:
-        value = declared.choices.at(static_cast<std::size_t>(values[i].number));
-        break;
-      case Type::text:
-        value = values[i].text != nullptr ? values[i].text : "";
-        break;
-      case Type::file:
-        for (const plugin::FileUsed& file : part.parameters.files()) {
-          if (file.parameter == declared.name) value = file.path.filename().string();
-        }
-        break;
-      default:
-        value = fmt::format("{}", values[i].number);
-    }
-    out += fmt::format("{}{}={}", out.empty() ? "" : " ", declared.name, value);
+    out += fmt::format("{}{}={}", out.empty() ? "" : " ", declared.name, value_text(values[i], declared, part));
   }
   return out;
 }

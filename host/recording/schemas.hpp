@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// JSON Schemas of the messages of a recording. Every recording contains these schemas, so readers need no other source.
-// docs/recordings.md describes the messages in words.
+// JSON Schemas of the messages, in every recording, for readers. docs/recordings.md describes the messages in words.
 #pragma once
 
 #include <string>

@@ -44,7 +44,7 @@ std::string packets(const match::TeamMetrics& team, int charged, int budget, con
 }
 
 // Returns a line about segments of plugins' messages; empty for a team whose plugins exchange no messages.
-std::string segments(const match::SegmentMetrics& counts) {
+std::string segments(const mind::SegmentCounts& counts) {
   if (counts.offered + counts.refused == 0) return "";
   return fmt::format("  segments offered {}, {} of them sent, {} dropped; heard {}; refused {}\n", counts.offered,
                      counts.sent, counts.dropped, counts.heard, counts.refused);

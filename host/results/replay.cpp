@@ -19,7 +19,6 @@
 #include "match/side.hpp"
 #include "mcap/file_io.hpp"
 #include "process/file_descriptor.hpp"
-#include "recording/match_page.hpp"
 #include "recording/packed_recording.hpp"
 #include "recording/recorded_match.hpp"
 #include "recording/recording_metadata.hpp"

@@ -209,10 +209,8 @@ void RobotMemory::remember(const Vector2d& position, double time) {
 }
 
 void RobotMemory::forget(std::size_t index) {
-  for (std::size_t i = index + 1; i < count_; ++i) {
-    positions_[i - 1] = positions_[i];
-    times_[i - 1] = times_[i];
-  }
+  std::copy(positions_.begin() + index + 1, positions_.begin() + count_, positions_.begin() + index);
+  std::copy(times_.begin() + index + 1, times_.begin() + count_, times_.begin() + index);
   --count_;
 }
 

@@ -53,8 +53,7 @@ class Obstacles {
 // younger than 3 s; and, within 1.2 m of a goal line (measured along the field), the posts of that goal.
 Obstacles obstacles_around(const Body& body);
 
-// Returns the next point on the way from `from` to `to`: a point beside the first obstacle in the way; `to` itself if
-// no obstacle is in the way within the next 1.2 m.
+// Returns the next point on the way: beside the first obstacle within the next 1.2 m of the way, or `to` itself.
 Vector2d way_around(const Vector2d& from, const Vector2d& to, std::span<const Obstacle> obstacles);
 
 // Returns the next point on a way from `from` to `to` that avoids the side nets of the goals. Ways into and out of a
@@ -70,9 +69,8 @@ Walk limited(const config::Walk& walk, Vector2d velocity, double turn);
 // Converts an action to a command. plugin::Behaviour must have checked the action. A robot that kicks does not walk.
 Command carry_out(const Body& body, const regista_action& action);
 
-// --- RobotMemory remembers the robots of both teams that this robot saw within 2 m or touched, for one second, so that
-// it walks around them. The camera misses every third robot or looks elsewhere, but a robot seen a second ago is
-// usually still at its place.
+// --- RobotMemory remembers for one second the robots of both teams that this robot saw within 2 m or touched, so that
+// it walks around them although the camera misses every third robot or looks elsewhere.
 
 class RobotMemory {
  public:

@@ -75,41 +75,17 @@ constexpr int goalkeeper = 1;                 // shirt number; the rules number 
 
 NamedPoints::NamedPoints(const config::FieldSize& field, double rolling_deceleration,
                          const DistributedWorldModel& world)
-    : field_(&field), ball_known_(world.ball_known()), ball_(world.ball()), ball_rest_(ball_) {
-  const Vector2d velocity = world.ball_velocity();
-  ball_rest_ += velocity * (velocity.norm() / (2.0 * rolling_deceleration));
+    : ball_known_(world.ball_known()) {
+  const Vector2d ball = world.ball(), velocity = world.ball_velocity();
+  const Vector2d rolled = ball + velocity * (velocity.norm() / (2.0 * rolling_deceleration));
   // A ball that leaves the field is put back on the line.
   const Vector2d corner(field.length / 2.0, field.width / 2.0);
-  ball_rest_ = ball_rest_.cwiseMin(corner).cwiseMax(-corner);
-}
-
-Vector2d NamedPoints::at(const config::Place& place) const {
-  using enum config::Anchor;
-  const double goal = field_->length / 2.0, mark = goal - field_->penalty_mark_distance,
-               post = field_->goal_width / 2.0;
-  switch (place.anchor) {
-    case ball:
-      return ball_;
-    case ball_rest:
-      return ball_rest_;
-    case own_goal:
-      return {-goal, 0.0};
-    case opponent_goal:
-      return {goal, 0.0};
-    case own_left_post:
-      return {-goal, post};
-    case own_right_post:
-      return {-goal, -post};
-    case centre:
-      return {0.0, 0.0};
-    case own_penalty_mark:
-      return {-mark, 0.0};
-    case opponent_penalty_mark:
-      return {mark, 0.0};
-    case point:
-      return {place.point[0], place.point[1]};
-  }
-  return {0.0, 0.0};
+  const Vector2d rest = rolled.cwiseMin(corner).cwiseMax(-corner);
+  const double goal = field.length / 2.0, mark = goal - field.penalty_mark_distance, post = field.goal_width / 2.0;
+  const auto at = [](double x, double y) { return Vector2d(x, y); };
+  // In the order of config::Anchor: ball, ball at rest, goals, own posts, centre, penalty marks.
+  anchors_ = {ball,         rest,           at(-goal, 0.0), at(goal, 0.0), at(-goal, post), at(-goal, -post),
+              at(0.0, 0.0), at(-mark, 0.0), at(mark, 0.0)};
 }
 
 Vector2d target_of(const config::TargetRule& rule, const NamedPoints& points) {
@@ -242,7 +218,12 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
   listed_in_.reset();
   world_for(rules.waypoints_knowledge, worlds);
   list_tasks(worlds, rules.waypoints_knowledge);
-  place();
+  const auto index = static_cast<std::size_t>(decision_.context);
+  if (auto& positioner = parts_[index].positioner) {
+    positioner->place(decision_.frame, decision_.placement);
+  } else {
+    forget_placement();
+  }
   list_tasks(worlds, rules.filter_knowledge);
   keep_tasks(worlds.of(rules.filter_knowledge));
   place_kept_tasks(worlds, rules.knowledge);
@@ -250,7 +231,8 @@ const Decision& Coordination::decide_in_context(const Worlds& worlds) {
 
   const DistributedWorldModel& utility_world = world_for(context().utility_knowledge, worlds);
   estimate_times(utility_world);
-  estimate_utilities(utility_world);
+  decision_.utility.estimate(parts_[index].terms, plan_->contexts()[index].terms, decision_.frame, utility_world.active,
+                             decision_.columns);
   assign(utility_world);
   take_own_role();
   return decision_;
@@ -281,7 +263,6 @@ void Coordination::list_tasks(const Worlds& worlds, config::Knowledge knowledge)
   decision_.frame.tasks = abi_span(decision_.tasks);
 }
 
-// Computes positions and headings of the kept tasks in the world `knowledge`.
 void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge) {
   const bool listed = listed_in_ == knowledge, face = made_.facings && !(listed && made_.facings_of_all_tasks);
   if (listed && !face) return;
@@ -292,15 +273,6 @@ void Coordination::place_kept_tasks(const Worlds& worlds, config::Knowledge know
     const config::TargetRule& rule = context().target_of(static_cast<std::size_t>(row.priority), *row.role);
     if (!listed) place_task(task, rule, points);
     if (face) face_task(task, rule, points);
-  }
-}
-
-void Coordination::place() {
-  auto& positioner = parts_[static_cast<std::size_t>(decision_.context)].positioner;
-  if (positioner) {
-    positioner->place(decision_.frame, decision_.placement);
-  } else {
-    forget_placement();
   }
 }
 
@@ -360,17 +332,11 @@ void Coordination::estimate_times(const DistributedWorldModel& world) {
   decision_.frame.time_to_task = matrix(decision_.time_to_task, rows, columns);
 }
 
-void Coordination::estimate_utilities(const DistributedWorldModel& world) {
-  const auto context = static_cast<std::size_t>(decision_.context);
-  decision_.utility.estimate(parts_[context].terms, plan_->contexts()[context].terms, decision_.frame, world.active,
-                             decision_.columns);
-}
-
 void Coordination::assign(const DistributedWorldModel& world) {
   const std::size_t rows = world.active.size(), columns = decision_.columns.size();
   decision_.assigned.assign(rows, REGISTA_NO_TASK);
   parts_[static_cast<std::size_t>(decision_.context)].assigner.assign(
-      decision_.frame, decision_.utility.view(rows, columns), decision_.assigned);
+      decision_.frame, matrix(decision_.utility.values(), rows, columns), decision_.assigned);
   std::ranges::fill(decision_.role_of, REGISTA_NO_TASK);
   for (std::size_t i = 0; i < rows; ++i) {
     const std::int32_t column = decision_.assigned[i];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Coordination runs the pipeline of the paper (Affinita et al. 2023): context -> tasks -> V (waypoints) -> filter and
-// offset of tasks -> utility estimation matrix -> Phi (the assignment of tasks to robots). Every robot runs its own
-// pipeline. Each step fills some members of Decision.
+// Coordination runs the pipeline of the paper (Affinita et al. 2023) in every robot: context -> tasks -> V (waypoints)
+// -> filter and offset of tasks -> utility estimation matrix -> Phi (the assignment of tasks to robots). See Decision.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,12 +29,14 @@ class NamedPoints {
   // `rolling_deceleration`: deceleration of the rolling ball, m/s^2; gives the point where the ball will come to rest.
   NamedPoints(const config::FieldSize& field, double rolling_deceleration, const DistributedWorldModel& world);
   bool ball_known() const { return ball_known_; }
-  Vector2d at(const config::Place& place) const;
+  Vector2d at(const config::Place& place) const {
+    if (place.anchor == config::Anchor::point) return {place.point[0], place.point[1]};
+    return anchors_[static_cast<std::size_t>(place.anchor)];
+  }
 
  private:
-  const config::FieldSize* field_;
   bool ball_known_;
-  Vector2d ball_, ball_rest_;
+  std::array<Vector2d, static_cast<std::size_t>(config::Anchor::point)> anchors_;
 };
 
 // Returns the position that a rule of the team's document gives to a task.
@@ -53,15 +55,12 @@ class UtilityEstimationMatrix {
  public:
   static constexpr double forbidden = -std::numeric_limits<double>::infinity();
 
-  // Calls every plugin with `frame` and computes the matrix. active: active robots of the frame's world. columns: tasks
-  // of the frame. plugins[k] belongs to terms[k]. If a task is bound to a robot, other robots must not take the task,
-  // and the robot must take no other task.
+  // Calls every plugin with `frame` and computes the matrix. active, columns: robots and tasks of the frame. plugins[k]
+  // belongs to terms[k]. A task that is bound to a robot is forbidden to others, and other tasks to this robot.
   void estimate(std::span<plugin::Utility> plugins, std::span<const TermPart> terms, const regista_frame& frame,
                 std::span<const std::int32_t> active, std::span<const regista_task> columns);
   void clear() { values_.clear(); }
 
-  // Returns the matrix in the form that the assigner sees.
-  regista_matrix view(std::size_t rows, std::size_t columns) const { return matrix(values_, rows, columns); }
   const std::vector<double>& values() const { return values_; }             // rows x columns
   const std::vector<std::vector<double>>& terms() const { return terms_; }  // by plugin: rows x columns, without weight
 
@@ -82,8 +81,7 @@ struct ContextParts {  // The plugin instances of one context in one robot's min
 
 // The two worlds of one decision (world_model.hpp: `mine` is what this robot knows, `common` what packets told all
 // robots), and the choice of a world for each step. The common world may count this robot as inactive, for example if
-// it has sent nothing for Team::forget_teammate_after. In the common world the robot would then get no task and would
-// not move. In this case every step uses the world `mine`.
+// it has sent nothing for Team::forget_teammate_after. So that it gets a task, every step then uses the world `mine`.
 class Worlds {
  public:
   Worlds(const DistributedWorldModel& mine, const DistributedWorldModel& common, int own_number)
@@ -149,12 +147,10 @@ class Coordination {
   const Decision& decide_in_context(const Worlds& worlds);
   void list_tasks(const Worlds& worlds, config::Knowledge knowledge);
   void place_kept_tasks(const Worlds& worlds, config::Knowledge knowledge);
-  void place();
   void forget_placement();
   void keep_tasks(const DistributedWorldModel& world);
   void offset_tasks();
   void estimate_times(const DistributedWorldModel& world);
-  void estimate_utilities(const DistributedWorldModel& world);
   void assign(const DistributedWorldModel& world);
   void take_own_role();
 
@@ -183,14 +179,13 @@ inline std::int32_t raw(config::Knowledge knowledge) {
 }
 
 // Detects the events e of Affinita et al. 2023: what happened to this robot since its last decision and may interest
-// its teammates. The sender plugin decides whether the robot sends a packet because of an event. A packet contains a
-// Report (mind/world/packet.hpp), not the event.
+// its teammates. The sender plugin decides whether an event is worth a packet, which has a Report, not the event.
 class EventDetector {
  public:
   explicit EventDetector(int own_number) : own_number_(own_number) {}
 
-  // Fills `out` with the events since the last call. Must be called once in each decision. `searching`: the robot's own
-  // role is to look for the ball.
+  // Fills `out` with the events since the last call, once in each decision. `searching`: the own role looks for the
+  // ball.
   void detect(const Percepts& percepts, const WorldModel& world, const Decision& decision, bool searching,
               std::vector<regista_event>& out);
 

@@ -67,33 +67,31 @@ constexpr double unknown_after = 30.0;    // s without news of the ball, after w
 // A made-up game. The conditions are called at 4 moments of the game.
 class SyntheticGame {
  public:
-  SyntheticGame(const TeamPlan& plan, int own, Dice& dice) : plan_(&plan), dice_(&dice) {
+  SyntheticGame(const TeamPlan& plan, int own, Dice& dice)
+      : plan_(&plan), dice_(&dice), world_(plan.rules().team_size) {
     const config::Rules& rules = plan.rules();
     interval_ = dice.log_real(0.1, 20.0);
     half_ = 1 + dice.below(rules.durations.halves);
     clock_ = dice.chance(0.5) ? dice.real(0.0, rules.durations.half)
                               : rules.durations.half - dice.log_real(0.1, rules.durations.half);
     const int difference = dice.below(2 * rules.mercy_difference - 1) - (rules.mercy_difference - 1);
-    least_score_ = dice.below(3);
-    own_lead_ = std::max(0, difference);
-    opponent_lead_ = std::max(0, -difference);
+    const int least_score = dice.below(3);
+    own_score_ = least_score + std::max(0, difference);
+    opponent_score_ = least_score + std::max(0, -difference);
     stage();
     ball_known_ = dice.chance(0.85);
     ball_seen_ = dice.chance(0.5);
     ball_age_ = ball_seen_ ? 0.0 : dice.log_real(0.1, 2.0 * unknown_after);
     reach_ = dice.log_real(0.05, 3.0);
     opponents_ = dice.below(rules.team_size + 1);
-    out_of_play_ = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
-    DistributedWorldModel first(rules.team_size);
-    make_up(first, plan, 0, 0, 0.0, own, out_of_play_, dice);
+    const int out_of_play = dice.chance(0.2) ? 1 + dice.below(rules.team_size) : 0;
+    make_up(world_, plan, 0, 0, 0.0, own, out_of_play, dice);
     if (phase_ != REGISTA_PHASE_PLAYING && set_play_ == REGISTA_SET_PLAY_KICK_OFF) {
-      first.ball_state.position[0] = first.ball_state.position[1] = 0.0;
+      world_.ball_state.position[0] = world_.ball_state.position[1] = 0.0;
     }
     still_ = phase_ != REGISTA_PHASE_PLAYING || dice.chance(0.3);
-    gather(first);
-    robots_ = first.robots;
-    others_ = first.opponents;
-    ball_ = first.ball_state;
+    gather();
+    ball_ = world_.ball_state;
     free_at_ = dice.chance(0.3) ? 1 + dice.below(moments) : moments;
   }
 
@@ -104,34 +102,33 @@ class SyntheticGame {
     return half_ * standing + (half_ - 1) * durations.half + clock_ + moment * interval_;
   }
 
-  void moment(int number, DistributedWorldModel& world) {
+  // Returns the world at a moment, until the next call. Moments are asked for in their order.
+  const DistributedWorldModel& moment(int number) {
     if (number == free_at_) {
       phase_ = REGISTA_PHASE_PLAYING;
       set_play_ = REGISTA_SET_PLAY_NONE;
       phase_began_ = time(number);
     }
-    world.robots = robots_;
-    world.opponents = others_;
-    world.ball_state = ball_;
+    regista_ball& ball = world_.ball_state = ball_;
     if (!still_) {
-      world.ball_state.position[0] += ball_.velocity[0] * number * interval_;
-      world.ball_state.position[1] += ball_.velocity[1] * number * interval_;
+      ball.position[0] += ball_.velocity[0] * number * interval_;
+      ball.position[1] += ball_.velocity[1] * number * interval_;
     } else {
-      for (double& each : world.ball_state.velocity) each = 0.0;
+      for (double& each : ball.velocity) each = 0.0;
     }
-    const double age = ball_age_ + (ball_seen_ ? 0.0 : number * interval_);
-    world.ball_state.age = age;
-    if (!ball_known_ || age > unknown_after) world.ball_state = {};
-    regista_game& game = world.game;
+    ball.age = ball_age_ + (ball_seen_ ? 0.0 : number * interval_);
+    if (!ball_known_ || ball.age > unknown_after) ball = {};
+    regista_game& game = world_.game;
     game.phase = phase_;
     game.set_play = set_play_;
     game.own_kick = own_kick_ ? 1 : 0;
     game.half = half_;
-    game.own_score = least_score_ + own_lead_;
-    game.opponent_score = least_score_ + opponent_lead_;
+    game.own_score = own_score_;
+    game.opponent_score = opponent_score_;
     game.phase_time = time(number) - phase_began_;
     game.time_left = std::max(0.0, plan_->rules().durations.half - clock_ - number * interval_);
-    world.close();
+    world_.close();
+    return world_;
   }
 
  private:
@@ -149,19 +146,19 @@ class SyntheticGame {
   }
 
   // In half of the games, moves some robots to places around the ball. Draws the share of moved robots for each side.
-  void gather(DistributedWorldModel& world) {
+  void gather() {
     Dice& dice = *dice_;
     const bool gathered = dice.chance(0.5);
     const double ours = gathered ? dice.real(0.0, 1.0) : 0.0, theirs = gathered ? dice.real(0.0, 1.0) : 0.0;
     const auto place = [&](double share, double* position) {
       if (!dice.chance(share)) return;
       const double angle = dice.real(-pi, pi), distance = dice.real(0.0, reach_);
-      position[0] = world.ball_state.position[0] + distance * std::cos(angle);
-      position[1] = world.ball_state.position[1] + distance * std::sin(angle);
+      position[0] = world_.ball_state.position[0] + distance * std::cos(angle);
+      position[1] = world_.ball_state.position[1] + distance * std::sin(angle);
     };
-    for (regista_robot& robot : world.robots) place(ours, robot.pose);
-    world.opponents.resize(static_cast<std::size_t>(opponents_));
-    for (regista_opponent& opponent : world.opponents) {
+    for (regista_robot& robot : world_.robots) place(ours, robot.pose);
+    world_.opponents.resize(static_cast<std::size_t>(opponents_));
+    for (regista_opponent& opponent : world_.opponents) {
       place(theirs, opponent.position);
       opponent.weight = dice.chance(0.5) ? 1.0 : dice.real(0.3, 1.0);
     }
@@ -170,21 +167,22 @@ class SyntheticGame {
   const TeamPlan* plan_;
   Dice* dice_;
   double interval_ = 0.1, clock_ = 0.0, phase_began_ = 0.0;
-  int half_ = 1, least_score_ = 0, own_lead_ = 0, opponent_lead_ = 0;
+  int half_ = 1, own_score_ = 0, opponent_score_ = 0;
   int phase_ = REGISTA_PHASE_PLAYING, set_play_ = REGISTA_SET_PLAY_NONE;
   bool own_kick_ = false, ball_known_ = true, ball_seen_ = true, still_ = false;
   double ball_age_ = 0.0, reach_ = 1.0;
-  int opponents_ = 0, out_of_play_ = 0, free_at_ = moments;
-  std::vector<regista_robot> robots_;
-  std::vector<regista_opponent> others_;
-  regista_ball ball_{};
+  int opponents_ = 0, free_at_ = moments;
+  DistributedWorldModel world_;
+  regista_ball ball_{};  // at the first moment
 };
 
-// The context conditions of one robot.
 class Conditions {
  public:
   Conditions(const TeamPlan& plan, const plugin::Caller& caller)
-      : extensions_(caller), mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
+      : number_(caller.robot),
+        previous_(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK),
+        extensions_(caller),
+        mailboxes_(static_cast<std::size_t>(plan.rules().messages.size)) {
     for (const ContextPlan& each : plan.contexts()) {
       const plugin::Found& found = *each.condition.found;
       const regista_host* const host = mailboxes_.open(&extensions_.open(found, plan.metrics_of(found)));
@@ -197,12 +195,24 @@ class Conditions {
   void reset() {
     for (std::size_t i = 0; i < instances_.size(); ++i) instances_[i]->reset(made_up_seed + i);
   }
-  void ask(const regista_frame& frame, std::vector<char>& out) {
+  // Asks which conditions hold. context: index of the context in force before; -1: none.
+  void ask(const DistributedWorldModel& world, double time, int tick, int context, std::vector<char>& out) {
+    regista_frame frame{};
+    frame.size = sizeof frame;
+    frame.own_number = number_;
+    frame.tick = static_cast<std::uint64_t>(tick);
+    frame.time = time;
+    frame.mine = frame.common = &world.raw;
+    frame.knowledge = REGISTA_MINE;
+    frame.previous = abi_span(previous_);
+    frame.context = context;
     out.clear();
     for (plugin::Context& each : conditions_) out.push_back(each.holds(frame) ? 1 : 0);
   }
 
  private:
+  int number_;
+  std::vector<std::int32_t> previous_;  // the robots had no tasks before
   Extensions extensions_;
   Mailboxes mailboxes_;
   std::vector<std::shared_ptr<plugin::Instance>> instances_;
@@ -218,16 +228,13 @@ bool occurs(int set_play, int phase) {
   return set_play == REGISTA_SET_PLAY_KICK_OFF ? !playing : playing || set_play == REGISTA_SET_PLAY_PENALTY_KICK;
 }
 
-// Compares the context in force in set plays with the context in force in open play, in scenes that are equal
-// otherwise.
+// Compares the context in force in set plays with the one in open play, in scenes that are equal otherwise.
 SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, int own, Dice& dice) {
   constexpr int scenes = 16;
-  const int team_size = plan.rules().team_size;
   SetPlayContexts out{};
   std::vector<char> holds;
-  const std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
   for (int scene = 0; scene < scenes; ++scene) {
-    DistributedWorldModel world(team_size);
+    DistributedWorldModel world(plan.rules().team_size);
     make_up(world, plan, 0, scene, dice.real(0.0, plan.rules().durations.half), own, 0, dice);
     world.close();
     regista_game& game = world.game;
@@ -236,16 +243,8 @@ SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, i
       game.phase = phase;
       game.own_kick = own_kick ? 1 : 0;
       game.phase_time = 1.0;
-      regista_frame frame{};
-      frame.size = sizeof frame;
-      frame.own_number = own;
-      frame.time = 100.0 + scene;
-      frame.mine = frame.common = &world.raw;
-      frame.knowledge = REGISTA_MINE;
-      frame.previous = abi_span(previous);
-      frame.context = -1;
       robot.reset();
-      robot.ask(frame, holds);
+      robot.ask(world, 100.0 + scene, 0, -1, holds);
       return std::ranges::find(holds, 1) - holds.begin();
     };
     for (const bool own_kick : {false, true}) {
@@ -278,7 +277,6 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing)
   out.contexts.resize(count);
   std::vector<std::vector<char>> covers(count, std::vector<char>(count, 1));  // [j][i]: i held whenever j held
   std::vector<char> holds;
-  std::vector<std::int32_t> previous(static_cast<std::size_t>(team_size), REGISTA_NO_TASK);
   for (int c = 0; c < games; ++c) {
     const int own = 1 + c % team_size;
     Conditions& robot = *robots[static_cast<std::size_t>(own - 1)];
@@ -286,18 +284,7 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing)
     SyntheticGame game(plan, own, dice);
     int in_force = -1;
     for (int moment = 0; moment < moments; ++moment) {
-      DistributedWorldModel world(team_size);
-      game.moment(moment, world);
-      regista_frame frame{};
-      frame.size = sizeof frame;
-      frame.own_number = own;
-      frame.tick = static_cast<std::uint64_t>(moment);
-      frame.time = game.time(moment);
-      frame.mine = frame.common = &world.raw;
-      frame.knowledge = REGISTA_MINE;
-      frame.previous = abi_span(previous);
-      frame.context = in_force;
-      robot.ask(frame, holds);
+      robot.ask(game.moment(moment), game.time(moment), moment, in_force, holds);
       ++out.scenes;
       const auto first = std::ranges::find(holds, 1);
       in_force = first == holds.end() ? -1 : static_cast<int>(first - holds.begin());

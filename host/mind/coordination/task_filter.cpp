@@ -144,10 +144,8 @@ void TaskFilter::keep(std::span<const regista_task> tasks, std::span<const regis
     if ((task.flags & REGISTA_TASK_REQUIRED) != 0) distance = -1.0;
     candidates_.push_back({distance, i});
   }
-  std::sort(candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
-    return a.distance != b.distance ? a.distance < b.distance : a.index < b.index;
-  });
-  for (std::size_t i = 0; i < std::min(room, candidates_.size()); ++i) chosen_[candidates_[i].index] = 1;
+  std::ranges::sort(candidates_);
+  for (std::size_t i = 0; i < std::min(room, candidates_.size()); ++i) chosen_[candidates_[i].second] = 1;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (chosen_[i] != 0) kept.push_back(i);
   }
@@ -193,8 +191,7 @@ void WaypointMatching::match(std::span<const regista_task> tasks, std::span<cons
     for (const std::size_t column : columns) {
       const regista_task& task = tasks[by_task ? row : column];
       const regista_waypoint& point = waypoints[by_task ? column : row];
-      const double dx = point.x - task.before[0], dy = point.y - task.before[1];
-      costs_.push_back(std::sqrt(dx * dx + dy * dy));
+      costs_.push_back(std::sqrt(distance2(point, task.before[0], task.before[1])));
     }
   }
   assignment_.solve(costs_, rows.size(), columns.size());

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "regista/abi.h"
@@ -20,8 +21,7 @@ class LeastCostAssignment {
  public:
   void reserve(std::size_t rows, std::size_t columns);
 
-  // Gives every row its own column; returns the total cost. costs: finite, row by row. `rows` must be at most
-  // `columns`.
+  // Gives every row its own column; returns the total cost. costs: finite, row by row. `rows` is at most `columns`.
   double solve(std::span<const double> costs, std::size_t rows, std::size_t columns);
 
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -55,21 +55,16 @@ class TaskFilter {
             std::vector<std::size_t>& kept);
 
  private:
-  struct Candidate {
-    double distance;
-    std::size_t index;
-  };
   double distance_to_waypoint(const regista_task& task, std::size_t index,
                               std::span<const regista_waypoint> waypoints) const;
 
   std::vector<double> free_x_, free_y_;  // coordinates of free waypoints: without task and robot
   bool some_belong_to_tasks_ = false;
-  std::vector<Candidate> candidates_;
+  std::vector<std::pair<double, std::size_t>> candidates_;  // distance and index of the task
   std::vector<char> chosen_;
 };
 
-// Moves the task's position `after` by at most `at_most` metres towards the waypoint of the task. `index`: the task's
-// index in the context. Changes nothing if no waypoint belongs to the task.
+// Moves `after` of the task by at most `at_most` (m) towards its waypoint, if any. `index`: of the task in the context.
 void offset(regista_task& task, int index, std::span<const regista_waypoint> waypoints, double at_most);
 
 // Moves the task like offset(), but towards the waypoint that belongs to robot `number`, which has taken the task.

@@ -63,8 +63,7 @@ struct ContextFinding {
   int covered_by = -1;  // index of the first earlier context that held in all scenes in which this one held; -1: none
 };
 
-// Element [set play, from the kick-off on][Ready, Set, Playing]: true if in some scene the set play had another context
-// in force than open play has in the same scene.
+// [set play, from the kick-off on][Ready, Set, Playing]: in some scene, another context is in force than in open play.
 using SetPlayContexts = std::array<std::array<bool, 3>, REGISTA_SET_PLAY_PENALTY_KICK>;
 
 struct ContextFindings {
@@ -80,10 +79,9 @@ ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing 
 // then one for each set play without a context of its own in a phase in which another set play has one.
 std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const ContextFindings& found);
 
-// --- Terms. A term that gives all robots the same number for a task adds this number to a whole column of the utility
-// matrix. This matters only if some tasks get no robot and the assigner compares tasks. If each task gets a robot, the
-// number changes nothing, because the sum of every assignment grows by the same number (Kuhn, "The Hungarian method for
-// the assignment problem", 1955).
+// --- Terms. A term that gives all robots the same number for a task adds it to a whole column of the utility matrix.
+// This matters only if some tasks get no robot and the assigner compares tasks. If each task gets a robot, the sum of
+// every assignment grows by the same number (Kuhn, "The Hungarian method for the assignment problem", 1955).
 
 // Returns whether a term has no effect in its context, for each term of each context in the order of
 // TeamPlan::contexts(). A term with weight 0 is not reported, because its author chose the weight.

@@ -104,8 +104,6 @@ const void* InstanceExtensions::find(std::string_view id) const {
   return nullptr;
 }
 
-void InstanceExtensions::begin_decision() { log_use_.lines = draw_use_.shapes = draw_use_.points = 0; }
-
 const InstanceExtensions& Extensions::open(const plugin::Found& plugin, std::span<const int> metrics) {
   return *instances_.emplace_back(
       std::make_unique<InstanceExtensions>(*this, plugin, metrics, static_cast<int>(instances_.size())));

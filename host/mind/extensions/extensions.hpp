@@ -27,7 +27,6 @@ namespace regista::mind {
 
 class Extensions;
 
-// The extensions of one plugin instance.
 class InstanceExtensions {
  public:
   InstanceExtensions(Extensions& owner, const plugin::Found& plugin, std::span<const int> metrics, int place);
@@ -36,7 +35,8 @@ class InstanceExtensions {
 
   // Returns the function table of the extension `id`; null for an unknown name.
   const void* find(std::string_view id) const;
-  void begin_decision();  // resets the counts that are limited for each decision
+  // Resets the counts that are limited for each decision.
+  void begin_decision() { log_use_.lines = draw_use_.shapes = draw_use_.points = 0; }
 
  private:
   static InstanceExtensions& of(void* context) { return *static_cast<InstanceExtensions*>(context); }
@@ -81,8 +81,7 @@ class Extensions {
   Extensions(const Extensions&) = delete;
   Extensions& operator=(const Extensions&) = delete;
 
-  // Makes the function tables of the next instance. metrics: the plugin's metrics as indices into TeamPlan::metrics().
-  // `plugin` and `metrics` must outlive this object.
+  // Makes the function tables of the next instance. metrics: indices into TeamPlan::metrics(). Both must outlive this.
   const InstanceExtensions& open(const plugin::Found& plugin, std::span<const int> metrics);
 
   // Must be called before a plugin asks a question (extensions told, budget).

@@ -192,15 +192,12 @@ void MetricReports::report(const plugin::Found& plugin, std::span<const int> of_
   const auto key = [](const MetricReport& each) { return std::pair(each.metric, each.place); };
   const std::pair own(index, place);
   const auto known = std::ranges::lower_bound(reports_, own, {}, key);
+  const MetricReport told{index, place, 1, value, value, value, value};
   if (known == reports_.end() || key(*known) != own) {
-    reports_.insert(known, {index, place, 1, value, value, value, value});
-    return;
+    reports_.insert(known, told);
+  } else {
+    known->add(told);
   }
-  ++known->count;
-  known->sum += value;
-  known->least = std::min(known->least, value);
-  known->greatest = std::max(known->greatest, value);
-  known->last = value;
 }
 
 void MetricReports::take(std::vector<MetricReport>& out) {

@@ -6,6 +6,7 @@
 
 #include <regista/extensions/draw.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -57,8 +58,7 @@ std::optional<std::int32_t> level_of(std::string_view name);
 // Returns text such as "[warning] home 3, tick 124, voronoi: two points coincide".
 std::string to_string(const LogLine& line);
 
-// Bytes of log for each side: the limit for to_standard_error() in a process whose standard error is stored with the
-// match.
+// Limit of to_standard_error() in a process whose standard error is stored with the match: bytes for each side.
 inline constexpr std::size_t most_kept_of_log = 1500;
 
 // Returns a sink that writes lines of this level and above to standard error. most_bytes: limit of bytes for each side;
@@ -83,7 +83,6 @@ class PluginLog {
   // Adds a line in which the host reports something about a plugin. The limits do not apply to this line.
   void remark(const char* plugin, int place, std::string_view text);
 
-  // Returns the lines of the last decision; nothing if `keeps` was false.
   std::span<const LogLine> lines() const { return lines_; }
 
  private:
@@ -142,7 +141,6 @@ class Drawings {
 // Largest absolute value of a report. With this limit no sum over a match is infinite.
 inline constexpr double largest_report = 1e9;
 
-// A metric that a plugin of the team declares.
 struct TeamMetric {
   std::string name;          // "voronoi.crossings"
   std::int32_t combine = 0;  // REGISTA_METRIC_*
@@ -152,8 +150,16 @@ struct TeamMetric {
 struct MetricReport {
   std::int32_t metric = 0;
   std::int32_t place = 0;  // place of the instance in the robot's mind
-  std::uint32_t count = 0;
+  std::uint64_t count = 0;
   double sum = 0.0, least = 0.0, greatest = 0.0, last = 0.0;
+
+  void add(const MetricReport& later) {
+    least = count == 0 ? later.least : std::min(least, later.least);
+    greatest = count == 0 ? later.greatest : std::max(greatest, later.greatest);
+    count += later.count;
+    sum += later.sum;
+    last = later.last;
+  }
 };
 
 class MetricReports {
@@ -167,8 +173,7 @@ class MetricReports {
   // Adds a report. of_team: the plugin's metrics, as indices into TeamPlan::metrics(). metric: index into of_team.
   void report(const plugin::Found& plugin, std::span<const int> of_team, int place, std::uint32_t metric, double value);
 
-  // take() fills `out` with the reports since the last take(), sorted by metric and then by the place of the instance.
-  // violation(): the first violation.
+  // take() fills `out` with the reports since the last take(), sorted by metric and then place. violation(): the first.
   void take(std::vector<MetricReport>& out);
   const std::optional<Violation>& violation() const { return violation_; }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "mind/world/fusion.hpp"
 
-#include <Eigen/Core>
 #include <Eigen/LU>
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 
@@ -314,8 +311,7 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
       nearest->age = track.age;
       nearest->best_trace = std::numeric_limits<double>::infinity();
     }
-    // For isotropic covariances Niehsen's weights are proportional to 1/trace; the fused mean has the weights
-    // 1/trace^2.
+    // Niehsen's weights of isotropic covariances are proportional to 1/trace; those of the fused mean, to 1/trace^2.
     const double information = 1.0 / trace;
     nearest->weighted_sum += information * information * position;
     nearest->information += information;
@@ -358,9 +354,8 @@ void NegativeInformation::look(std::span<const Estimate> balls, const Frame2& ow
   for (const Estimate& estimate : balls) {
     Source& source = sources_[static_cast<std::size_t>(estimate.source)];
     const regista_track& ball = *estimate.track;
-    const bool news = ball.age < source.age;
+    if (ball.age < source.age) source.in_vain = 0.0;
     source.age = ball.age;
-    if (news) source.in_vain = 0.0;
     const double deviation = std::sqrt(0.5 * (ball.covariance[0] + ball.covariance[2]));
     if (!percepts.camera || deviation > known_to) continue;
     const Vector2d expected = own.to_robot({ball.x, ball.y});

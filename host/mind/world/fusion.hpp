@@ -3,8 +3,8 @@
 // (regista_track) is the estimate that a predictor makes of one robot or ball.
 //
 // Tracks are paired by the squared Mahalanobis distance: the nearest pair first, each track at most once. Robots use
-// equal models and see the same ball, so the errors of their estimates are correlated to an unknown degree. A product
-// of Gaussians would therefore be overconfident. Covariance intersection (Julier and Uhlmann 1997) with the closed-form
+// equal models and see the same ball, so the errors of their estimates are correlated to an unknown degree, and a
+// product of Gaussians would be overconfident. Covariance intersection (Julier and Uhlmann 1997) with the closed-form
 // weights of Niehsen 2002 stays consistent.
 #pragma once
 
@@ -21,12 +21,11 @@
 
 namespace regista::mind {
 
-// --- delta of the paper (Affinita et al. 2023) for the balls or the opponents of OLM_j, the model of what robot j
-// knows, which is made from its packets: "merges the OLM of the previous step with any received event". A received
-// track replaces the known track of the same object, because a fusion of the two tracks would count the same sightings
-// twice. Other known tracks are dropped, unless a track may be too old for the packet or the packet had no room. A
-// track that is kept loses weight if the sender may have looked at its place, because the sender then saw no object
-// there.
+// --- delta of the paper (Affinita et al. 2023) for the balls or the opponents of OLM_j, which is made from the packets
+// of robot j: "merges the OLM of the previous step with any received event". A received track replaces the known track
+// of the same object, because a fusion of the two would count the same sightings twice. Other known tracks are dropped,
+// unless they may be too old for the packet or the packet had no room. A track that is kept loses weight if the sender
+// may have looked at its place, because the sender then saw no object there.
 
 // What the sender of a packet may have seen lately, and which tracks its packets contain. Field frame.
 struct SenderView {
@@ -54,9 +53,8 @@ struct SeenTeammate {
 };
 
 // Pairs tracks with active robots other than `own`, and appends the pairs to `out`. The pair with the least squared
-// Mahalanobis distance of the positions comes first; each track and robot is paired at most once. Left out are pairs
-// whose squared distance exceeds 9.21 (99 % of true pairs are nearer) and tracks that fit two robots about equally well
-// (squared distances that differ by less than 4).
+// Mahalanobis distance comes first; each track and robot is paired at most once. Left out are pairs with more than 9.21
+// (99 % of true pairs have less), and tracks that fit two robots about equally well (a difference below 4).
 void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
                      std::vector<SeenTeammate>& out);
 
@@ -166,19 +164,16 @@ class OpponentFusion {
   std::vector<Cluster> clusters_;
 };
 
-// Negative information (Hoffmann, Spranger, Göhring and Jüngel 2005): if a robot looks at the estimated place of the
-// ball and sees no ball, the estimate is wrong.
+// Negative information (Hoffmann, Spranger, Göhring and Jüngel 2005): to see no ball at its estimated place refutes it.
 class NegativeInformation {
  public:
   // Estimate::source may be 0 to team_size.
   explicit NegativeInformation(int team_size) : sources_(static_cast<std::size_t>(team_size) + 1) {}
 
-  // Compares each estimate of the ball (at most one for each source, field frame) with the camera's view. `own`: frame
-  // of this robot's pose. `dt`: time since the last call, s.
+  // Compares the balls (at most one a source, field frame) with the view from `own`. `dt`: s since the last call.
   void look(std::span<const Estimate> balls, const Frame2& own, const Percepts& percepts, double dt);
 
-  // Returns whether the camera has looked at the current estimate of `source` for more than 0.55 s without seeing a
-  // ball.
+  // Returns whether the camera has looked at the present estimate for more than 0.55 s without seeing a ball.
   bool refutes(int source) const { return sources_[static_cast<std::size_t>(source)].in_vain > enough; }
 
  private:

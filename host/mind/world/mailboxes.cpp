@@ -11,6 +11,7 @@ constexpr std::size_t longest_core = 24 + 11 + 4 * Report::most_opponents;
 constexpr std::size_t most_places = 256;
 constexpr std::size_t most_pending = 64;  // greatest number of waiting offers of one instance
 constexpr std::size_t longest_bytes = 255;
+constexpr std::size_t longest_journal = 1024;  // events of one decision; a plugin may make any number of offers
 
 using Kind = SegmentEvent::Kind;
 using Why = SegmentEvent::Why;
@@ -27,7 +28,7 @@ struct Mailboxes::Endpoint {
 };
 
 Mailboxes::Mailboxes(std::size_t packet_size, bool keeps_journal)
-    : packet_size_(packet_size), journal_(keeps_journal ? std::make_unique<SegmentJournal>() : nullptr) {
+    : packet_size_(packet_size), keeps_journal_(keeps_journal) {
   constexpr std::size_t usual = 64;  // memory is reserved for this number of waiting offers
   waiting_.reserve(usual);
   dropped_.reserve(usual);
@@ -138,19 +139,24 @@ std::vector<Mailboxes::Waiting>::iterator Mailboxes::drop(std::vector<Waiting>::
 }
 
 SegmentEvent* Mailboxes::note(Kind kind, Why why, std::size_t place) {
-  return journal_ == nullptr || journal_->full() ? nullptr : &journal_->add(kind, why, now_, static_cast<int>(place));
+  if (!keeps_journal_ || journal_.size() >= longest_journal) return nullptr;
+  return &add(kind, why, static_cast<int>(place));
+}
+
+SegmentEvent& Mailboxes::add(Kind kind, Why why, int place) {
+  SegmentEvent& event = journal_.emplace_back();
+  event.kind = kind;
+  event.why = why;
+  event.time = now_;
+  event.place = place;
+  return event;
 }
 
 SegmentCounts Mailboxes::take_counts() { return std::exchange(counts_, {}); }
 
-std::span<const SegmentEvent> Mailboxes::journal() const {
-  return journal_ == nullptr ? std::span<const SegmentEvent>() : std::as_const(*journal_).events();
-}
-
 void Mailboxes::complete_journal() {
-  if (journal_ == nullptr) return;
   describing_ = true;  // describe() must change neither the match nor the journal, so offers are ignored
-  for (SegmentEvent& event : journal_->events()) {
+  for (SegmentEvent& event : journal_) {
     if (event.place < 0 || static_cast<std::size_t>(event.place) >= endpoints_.size()) continue;
     Endpoint& endpoint = *endpoints_[static_cast<std::size_t>(event.place)];
     event.plugin = endpoint.plugin;
@@ -179,7 +185,8 @@ void Mailboxes::tell_dropped() {
 
 void Mailboxes::begin(double now) {
   now_ = now;
-  if (journal_ != nullptr) journal_->begin();
+  // The first decision also has the events of the creation of plugins.
+  if (std::exchange(begun_, true)) journal_.clear();
   for (auto each = waiting_.begin(); each != waiting_.end();) {
     each = each->offer.expiry > now ? each + 1 : drop(each, Why::expired);
   }
@@ -242,8 +249,8 @@ void Mailboxes::deliver(const Segment& segment, int at, int sender, double time_
 }
 
 void Mailboxes::wrong_length(int sender, double time_sent, double time_heard) {
-  if (journal_ == nullptr) return;
-  SegmentEvent& event = journal_->add(Kind::undelivered, Why::wrong_length, now_, -1);
+  if (!keeps_journal_) return;
+  SegmentEvent& event = add(Kind::undelivered, Why::wrong_length, -1);
   event.sender = sender;
   event.time_sent = time_sent;
   event.time_heard = time_heard;

@@ -43,7 +43,7 @@ class Mailboxes {
 
   SegmentCounts take_counts();  // Returns the counts since the last take_counts().
   // Returns the events since begin() in order of time; nothing if `keeps_journal` was false.
-  std::span<const SegmentEvent> journal() const;
+  std::span<const SegmentEvent> journal() const { return journal_; }
   // Asks plugins at the end of a decision to describe their offers in the journal. A failure's text is the description.
   void complete_journal();
 
@@ -61,7 +61,9 @@ class Mailboxes {
   std::uint64_t offer(std::size_t place, std::span<const std::uint8_t> bytes, double urgency, double expiry, int medium,
                       std::uint64_t replaces);
   std::vector<Waiting>::iterator drop(std::vector<Waiting>::iterator offer, SegmentEvent::Why why);
-  SegmentEvent* note(SegmentEvent::Kind kind, SegmentEvent::Why why, std::size_t place);  // null: no event
+  // note() returns null without a journal, and where the journal of this decision is full. add() requires a journal.
+  SegmentEvent* note(SegmentEvent::Kind kind, SegmentEvent::Why why, std::size_t place);
+  SegmentEvent& add(SegmentEvent::Kind kind, SegmentEvent::Why why, int place);
   void tell_dropped();
   std::size_t longest_segment() const;
 
@@ -73,7 +75,8 @@ class Mailboxes {
   std::vector<Dropped> dropped_, telling_;
   std::vector<regista_offer> listed_;
   SegmentCounts counts_;
-  std::unique_ptr<SegmentJournal> journal_;
+  bool keeps_journal_, begun_ = false;  // begun_: begin() has been called
+  std::vector<SegmentEvent> journal_;
   std::vector<std::unique_ptr<Endpoint>> endpoints_;  // last member: a destroyed instance may withdraw offers
 };
 

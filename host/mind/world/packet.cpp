@@ -120,6 +120,7 @@ void ball_fields(Archive& archive, Told& ball) {
 
 // Reads core, ball and opponents. Afterwards `read` is at the beginning of the first segment.
 std::optional<Report> read_core(Reader& read, const PacketLimits& limits) {
+  if (read.left() > limits.size) return std::nullopt;
   Report report;
   const unsigned head = read.bits(1);
   const unsigned flags = read.bits(1);
@@ -171,7 +172,6 @@ void append_segment(const Segment& segment, std::vector<std::uint8_t>& out) {
 }
 
 std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const PacketLimits& limits) {
-  if (bytes.size() > limits.size) return std::nullopt;
   Reader read(bytes);
   return read_core(read, limits);
 }
@@ -179,7 +179,6 @@ std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const Pac
 std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLimits& limits,
                              std::vector<Segment>& segments) {
   segments.clear();
-  if (bytes.size() > limits.size) return std::nullopt;
   Reader read(bytes);
   const std::optional<Report> report = read_core(read, limits);
   if (!report) return std::nullopt;

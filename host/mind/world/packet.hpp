@@ -2,8 +2,7 @@
 // Report is the content of a packet from one robot to its teammates (the paper's received event e). encode() and
 // decode() convert a Report to and from bytes. The core takes 24 bytes, the ball 11 and each opponent 4. Numbers are in
 // fixed point, little endian, so that all robots read equal numbers. The rest of a packet is for segments of plugins
-// (mailbox). SegmentJournal records what happens to segments. The fields below are written as NAME UNIT:BITS; flags and
-// deviations (cm; 0.01 rad) have one byte each.
+// (mailbox). The fields below are written as NAME UNIT:BITS; flags and deviations (cm; 0.01 rad) have one byte each.
 //
 // core:     version:3 sender:5 | flags | time ms:24 | x y mm:16 | heading:16 | deviations | vx vy cm/s:8 | target mm:16
 //           | role:8 | role since ds:16 (at most 109 min) | context:8 | time until up ds:8
@@ -17,7 +16,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "mind/geometry.hpp"
@@ -66,7 +64,6 @@ struct Segment {
 
 inline constexpr std::size_t segment_heading = 2;  // bytes for place and length before a segment's own bytes
 
-// Limits that a valid packet of this team obeys.
 struct PacketLimits {
   int team_size = 7;
   int role_count = 0;
@@ -84,16 +81,25 @@ std::optional<Report> decode_core(std::span<const std::uint8_t> bytes, const Pac
 // Reads the report and the segments (views into `bytes`). Returns nothing if `bytes` is not a packet of this team.
 std::optional<Report> decode(std::span<const std::uint8_t> bytes, const PacketLimits&, std::vector<Segment>& segments);
 
-// --- What happens to the segments of one robot's plugins. A mind keeps a journal for recorders; no decision uses it.
+// --- What happens to the segments of one robot's plugins. Mailboxes keeps a journal of it for recorders only.
 
 // Counts for the metrics of a match. An accepted offer is later sent or dropped, or is still waiting.
 struct SegmentCounts {
-  std::uint32_t offered = 0;  // accepted offers
-  std::uint32_t refused = 0;  // offers that the host refused
-  std::uint32_t sent = 0;     // segments that were sent in a packet
-  std::uint32_t dropped = 0;  // offers that expired, were replaced or were withdrawn
-  std::uint32_t heard = 0;    // segments of teammates that a plugin received
-  std::uint32_t bytes = 0;    // bytes of the sent segments, with headings
+  std::int64_t offered = 0;  // accepted offers
+  std::int64_t refused = 0;  // offers that the host refused
+  std::int64_t sent = 0;     // segments that were sent in a packet
+  std::int64_t dropped = 0;  // offers that expired, were replaced or were withdrawn
+  std::int64_t heard = 0;    // segments of teammates that a plugin received
+  std::int64_t bytes = 0;    // bytes of the sent segments, with headings
+
+  void operator+=(const SegmentCounts& more) {
+    offered += more.offered;
+    refused += more.refused;
+    sent += more.sent;
+    dropped += more.dropped;
+    heard += more.heard;
+    bytes += more.bytes;
+  }
 };
 
 struct SegmentEvent {
@@ -149,30 +155,5 @@ inline const char* word(SegmentEvent::Why why) {
                              "replaced", "withdrawn", "unknown_place", "no_mailbox",      "wrong_length"};
   return words[static_cast<std::size_t>(why)];
 }
-
-class SegmentJournal {
- public:
-  // Begins a decision and drops the events of the last decision. The first call drops no events: events during the
-  // creation of plugins belong to the first decision.
-  void begin() {
-    if (std::exchange(begun_, true)) events_.clear();
-  }
-  // Returns whether further events of this decision are left out, because a plugin may make any number of offers.
-  bool full() const { return events_.size() >= 1024; }
-  SegmentEvent& add(SegmentEvent::Kind kind, SegmentEvent::Why why, double time, int place) {
-    SegmentEvent& event = events_.emplace_back();
-    event.kind = kind;
-    event.why = why;
-    event.time = time;
-    event.place = place;
-    return event;
-  }
-  std::span<SegmentEvent> events() { return events_; }
-  std::span<const SegmentEvent> events() const { return events_; }
-
- private:
-  std::vector<SegmentEvent> events_;
-  bool begun_ = false;
-};
 
 }  // namespace regista::mind

@@ -56,7 +56,6 @@ constexpr double ball_forgotten_after = 30.0;
 static_assert(static_cast<int>(Phase::finished) == REGISTA_PHASE_FINISHED);
 static_assert(static_cast<int>(SetPlay::penalty_kick) == REGISTA_SET_PLAY_PENALTY_KICK);
 
-// Copies pose, velocity and covariance from a track to a robot.
 void set_motion(regista_robot& robot, const regista_track& track) {
   robot.pose[0] = track.x;
   robot.pose[1] = track.y;
@@ -143,36 +142,28 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
   area.y = self_.y;
   area.heading = wrap(self_.pose.heading + percepts.view.heading);
 
-  if (dt > 0.0) ball_model_.predict(dt, &motion, last);
-  measurements_.clear();
-  for (const BallSighting& ball : percepts.balls) {
-    add_in_field_frame(REGISTA_MEASURED_BALL, ball.position, ball.along, ball.across);
-  }
-  sighted_ = !percepts.balls.empty();
-  if (ball_on_centre) {
-    set_position_covariance(add(REGISTA_MEASURED_BALL, 0.0, 0.0), 0.0025, 0.0, 0.0025);
-  }
-  if (percepts.camera || !measurements_.empty()) ball_model_.correct(measurements_, area);
-  balls_ = ball_model_.tracks();
-
-  opponents_ = update_robots(opponent_model_, percepts, false, dt, motion, last, area);
-  teammates_ = update_robots(teammate_model_, percepts, true, dt, motion, last, area);
-}
-
-std::span<const regista_track> LocalModel::update_robots(plugin::Predictor& model, const Percepts& percepts,
-                                                         bool own_team, double dt, const regista_motion& motion,
-                                                         const regista_frame* last, const regista_visible_area& area) {
-  if (dt > 0.0) model.predict(dt, &motion, last);
-  if (percepts.camera) {
+  const auto updated = [&](plugin::Predictor& model, auto measure) {
+    if (dt > 0.0) model.predict(dt, &motion, last);
     measurements_.clear();
-    for (const RobotSighting& robot : percepts.robots) {
-      if (robot.own_team == own_team) {
-        add_in_field_frame(REGISTA_MEASURED_ROBOT, robot.position, robot.along, robot.across);
-      }
+    measure();
+    if (percepts.camera || !measurements_.empty()) model.correct(measurements_, area);
+    return model.tracks();
+  };
+  balls_ = updated(ball_model_, [&] {
+    for (const BallSighting& ball : percepts.balls) {
+      add_in_field_frame(REGISTA_MEASURED_BALL, ball.position, ball.along, ball.across);
     }
-    model.correct(measurements_, area);
-  }
-  return model.tracks();
+    if (ball_on_centre) set_position_covariance(add(REGISTA_MEASURED_BALL, 0.0, 0.0), 0.0025, 0.0, 0.0025);
+  });
+  sighted_ = !percepts.balls.empty();
+  const auto measure_robots = [&](bool own_team) {
+    for (const RobotSighting& robot : percepts.robots) {
+      if (!percepts.camera || robot.own_team != own_team) continue;
+      add_in_field_frame(REGISTA_MEASURED_ROBOT, robot.position, robot.along, robot.across);
+    }
+  };
+  opponents_ = updated(opponent_model_, [&] { measure_robots(false); });
+  teammates_ = updated(teammate_model_, [&] { measure_robots(true); });
 }
 
 TeamModel::TeamModel(int team_size, const config::Camera& camera, plugin::Predictor teammates,
@@ -229,10 +220,8 @@ void TeamModel::absorb_ball(const Report& report, double age, plugin::Predictor&
     model.absorb(told_, age);  // replaces the known track without merge_told(), because only one ball exists
     return;
   }
-  merge(model,
-        {report.pose, camera_.half_angle + camera_.head_yaw, camera_.ball_range, camera_.ball_probability,
-         Report::tells_ball_for, true},
-        age);
+  const double half_angle = camera_.half_angle + camera_.head_yaw;
+  merge(model, {report.pose, half_angle, camera_.ball_range, camera_.ball_probability, Report::tells_ball_for}, age);
 }
 
 void TeamModel::absorb_opponents(const Report& report, double age, plugin::Predictor& model) {
@@ -395,8 +384,7 @@ void WorldModel::fill_robots(const Percepts& percepts) {
   common_.robot(own_number_).flags |= REGISTA_ROBOT_SELF;
 }
 
-// Improves the teammates' positions in `mine` with this robot's camera, because a position from an old packet is less
-// exact. The camera sees no numbers, so match_teammates() pairs positions.
+// Improves positions of old packets in `mine` with this robot's camera. It sees no numbers, so positions are paired.
 void WorldModel::sharpen_teammates() {
   seen_teammates_.clear();
   match_teammates(local_.teammates(), mine_.robots, own_number_, seen_teammates_);

@@ -36,8 +36,6 @@ class DistributedWorldModel {
       robot(number).role = -1;
     }
     active.reserve(robots.size());
-    game.size = sizeof game;
-    ball_state.size = sizeof ball_state;
     raw.size = sizeof raw;
     raw.game = &game;
     raw.ball = &ball_state;
@@ -90,8 +88,7 @@ class LocalModel {
   const regista_track& self() const { return self_; }
   Pose pose() const { return {self_.x, self_.y, self_.pose.heading}; }
   const Frame2& frame() const { return frame_; }  // converts between robot frame and field frame
-  // balls(): hypotheses of the ball, the best first. opponents(), teammates(): robots in any order, without shirt
-  // numbers. Valid until the next update().
+  // Until the next update(). balls(): hypotheses, the best first. Others: robots in any order, without shirt numbers.
   std::span<const regista_track> balls() const { return balls_; }
   std::span<const regista_track> opponents() const { return opponents_; }
   std::span<const regista_track> teammates() const { return teammates_; }
@@ -100,9 +97,6 @@ class LocalModel {
 
  private:
   void measure_self(const Percepts& percepts);
-  std::span<const regista_track> update_robots(plugin::Predictor& model, const Percepts& percepts, bool own_team,
-                                               double dt, const regista_motion& motion, const regista_frame* last,
-                                               const regista_visible_area& area);
   regista_measurement& add(int kind, double x, double y);
   void add_in_field_frame(int kind, const Vector2d& seen, double along, double across);
 
@@ -160,7 +154,6 @@ class TeamModel {
   std::vector<regista_track> told_, known_, merged_;
 };
 
-// The present role of this robot, which `mine` contains.
 struct OwnRole {
   int role = -1;
   double since = 0.0;
@@ -171,7 +164,7 @@ class WorldModel {
  public:
   WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team, FrameParts made);
 
-  // Calls in each decision, in this order: sense(), hear() for each report, fuse(). `last`: last decision's frame, or
+  // Calls in each decision, in this order: sense(), hear() for each report, fuse(). `last`: last decision's frame or
   // null.
   void sense(const Percepts& percepts, double dt, const regista_frame* last);
   void hear(const Report& report, double now) { team_.absorb(report, now); }

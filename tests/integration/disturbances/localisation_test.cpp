@@ -90,7 +90,7 @@ TEST(PoseBias, IsWhereTheLocalisationSettles) {
       during.add(std::hypot(dx, dy) < 0.2);
       x += dx;
       y += dy;
-      heading += match::wrapped(b.belief.heading - b.truth.heading - *bias.heading);
+      heading += mind::wrap(b.belief.heading - b.truth.heading - *bias.heading);
     } else if (b.time > begin + lasts) {
       after.add(right(b));
     }

@@ -35,11 +35,11 @@ struct Believed {
   const mind::Percepts& percepts;
 
   double error() const { return std::hypot(belief.x - truth.x, belief.y - truth.y); }
-  double heading_error() const { return std::fabs(match::wrapped(belief.heading - truth.heading)); }
+  double heading_error() const { return std::fabs(mind::wrap(belief.heading - truth.heading)); }
   // Distance to where it would be mirrored.
   double mirrored_error() const { return std::hypot(belief.x + truth.x, belief.y + truth.y); }
   double mirrored_heading_error() const {
-    return std::fabs(match::wrapped(belief.heading - truth.heading - std::numbers::pi));
+    return std::fabs(mind::wrap(belief.heading - truth.heading - std::numbers::pi));
   }
 };
 

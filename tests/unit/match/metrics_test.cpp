@@ -72,7 +72,6 @@ TEST_F(Course, AccountsPacketsByReason) {
   metrics.sent(Side::home, 5, 128, 2.0);
   metrics.sent(Side::home, 5, 0, 3.0);
   const TeamMetrics team = result().teams[0];
-  EXPECT_EQ(team.packets, 3);
   EXPECT_EQ(team.packet_bytes, 168);
   EXPECT_EQ(team.packets_by_reason[0], 1);
   EXPECT_EQ(team.packets_by_reason[5], 2);
@@ -85,7 +84,7 @@ TEST_F(Course, SegmentsAreCountedInEveryPhase) {
   state.phase = mind::Phase::ready;
   decide(Side::away, 2, outcome, 0.1);
   metrics.crashed(Side::away, 2, state);
-  const SegmentMetrics home = result().teams[0].segments, away = result().teams[1].segments;
+  const mind::SegmentCounts home = result().teams[0].segments, away = result().teams[1].segments;
   EXPECT_EQ(home.offered + home.refused + home.sent + home.dropped + home.heard + home.bytes, 0);
   EXPECT_EQ(std::tuple(away.offered, away.refused, away.sent, away.dropped, away.heard, away.bytes),
             std::tuple(10, 2, 4, 4, 14, 60));

@@ -306,8 +306,8 @@ TEST(MatchFromAnOpening, PhysicsCanBeReplayed) {
   observer.physics_log = &log;
   observer.step = [&](const Snapshot& now) { last.assign(now.bodies.begin(), now.bodies.end()); };
   play(setup_of(scene()), chasers(3), chasers(3), &observer);
-  Replay replay(log);
-  replay.run();
+  PhysicsWorld replay(log.field, log.ball, log.robots);
+  replay.replay(log);
   const auto states = replay.states();
   ASSERT_EQ(states.size(), last.size());
   for (std::size_t i = 0; i < last.size(); ++i) {

@@ -16,13 +16,15 @@ namespace {
 
 using Places = std::vector<Vector>;
 
+double sum(const OspaParts& parts) { return parts.location + parts.cardinality; }
+
 TEST(Ospa, ClosedForms) {
   Ospa ospa(2.0, 4);
-  EXPECT_EQ(ospa(Places{}, Places{}).sum(), 0.0);
+  EXPECT_EQ(sum(ospa(Places{}, Places{})), 0.0);
   const Places one{{1.0, 1.0}};
-  EXPECT_EQ(ospa(one, Places{}).sum(), 2.0);
+  EXPECT_EQ(sum(ospa(one, Places{})), 2.0);
   EXPECT_EQ(ospa(Places{}, one).cardinality, 2.0);
-  EXPECT_EQ(ospa(one, one).sum(), 0.0);
+  EXPECT_EQ(sum(ospa(one, one)), 0.0);
   EXPECT_DOUBLE_EQ(ospa(one, Places{{1.3, 1.4}}).location, 0.5);
   EXPECT_EQ(ospa(one, Places{{9.0, 1.0}}).location, 2.0) << "cut off";
   // Schuhmacher, Vo and Vo 2008, section III: (1/n) (sum of distances + c (n - m)).
@@ -69,7 +71,7 @@ TEST(Ospa, IsTheBestOfAllAssignments) {
   Ospa ospa(2.0, 7);
   for (int i = 0; i < 400; ++i) {
     const Places a = random_places(random, 7), b = random_places(random, 7);
-    EXPECT_NEAR(ospa(a, b).sum(), by_trying_all(a, b, 2.0), 1e-12) << a.size() << " and " << b.size();
+    EXPECT_NEAR(sum(ospa(a, b)), by_trying_all(a, b, 2.0), 1e-12) << a.size() << " and " << b.size();
   }
 }
 
@@ -78,15 +80,15 @@ TEST(Ospa, IsAMetric) {
   Ospa ospa(2.0, 22);
   for (int i = 0; i < 1000; ++i) {
     const Places a = random_places(random, 22), b = random_places(random, 22), c = random_places(random, 22);
-    const double ab = ospa(a, b).sum(), bc = ospa(b, c).sum(), ac = ospa(a, c).sum();
-    EXPECT_NEAR(ab, ospa(b, a).sum(), 1e-12);
+    const double ab = sum(ospa(a, b)), bc = sum(ospa(b, c)), ac = sum(ospa(a, c));
+    EXPECT_NEAR(ab, sum(ospa(b, a)), 1e-12);
     EXPECT_LE(ac, ab + bc + 1e-12);
     EXPECT_GE(ab, 0.0);
     EXPECT_LE(ab, 2.0 + 1e-12);
-    EXPECT_EQ(ospa(a, a).sum(), 0.0);
+    EXPECT_EQ(sum(ospa(a, a)), 0.0);
     Places shuffled = a;
     std::ranges::shuffle(shuffled, random);
-    EXPECT_NEAR(ospa(a, shuffled).sum(), 0.0, 1e-12);
+    EXPECT_NEAR(sum(ospa(a, shuffled)), 0.0, 1e-12);
   }
 }
 

@@ -77,7 +77,7 @@ struct Chaser {
   void move(const mind::Percepts& percepts) {
     const mind::Pose& step = percepts.odometry;
     const Vector moved = turned({step.x, step.y}, std::cos(pose.heading), std::sin(pose.heading));
-    pose = {pose.x + moved.x, pose.y + moved.y, wrapped(pose.heading + step.heading)};
+    pose = {pose.x + moved.x, pose.y + moved.y, mind::wrap(pose.heading + step.heading)};
     if (percepts.placed) pose = percepts.placed->pose;
     ball = turned(ball - Vector{step.x, step.y}, std::cos(step.heading), -std::sin(step.heading));
     ball_age += 0.1;

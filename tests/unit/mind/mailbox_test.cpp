@@ -326,11 +326,11 @@ class JournalTest : public MailboxTest {
     }
     return out;
   }
-  static std::vector<std::uint32_t> plural(Robot& robot) {
+  static std::vector<std::int64_t> plural(Robot& robot) {
     const SegmentCounts counts = robot.mailboxes.take_counts();
     return {counts.offered, counts.refused, counts.sent, counts.dropped, counts.heard, counts.bytes};
   }
-  using Counts = std::vector<std::uint32_t>;
+  using Counts = std::vector<std::int64_t>;
 };
 
 TEST_F(JournalTest, FollowsEachOfferToItsEnd) {

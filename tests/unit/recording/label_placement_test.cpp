@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recording/label_placement.hpp"
+#include "recording/field_svg.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "recording/match_page.hpp"
+#include "recording/packed_recording.hpp"
 #include "recording/schemas.hpp"
 #include "texts/html.hpp"
 #include "texts/json.hpp"
