@@ -200,9 +200,11 @@ config::Overrides overrides_for(std::string_view document, const config::Overrid
   return out;
 }
 
-void refuse_former_sides(const config::Overrides& typed) {
+void refuse_unknown_sides(const config::Overrides& typed) {
   for (const config::Override& each : typed) {
     const std::string_view first = first_part(each.path);
+    if (first.size() == 1 && first < each.path && first >= "c" && first <= "z")
+      throw config::Error(each.where, fmt::format("{}: a match has two teams, a and b", each.path));
     const auto former = std::ranges::find(sides, first, &SideName::document);
     if (former == sides.end()) continue;
     throw config::Error(each.where,

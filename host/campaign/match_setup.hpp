@@ -30,8 +30,9 @@ namespace regista::campaign {
 // sides), home_disturbance, away_disturbance or opening. A path without such a part goes to both teams.
 config::Overrides overrides_for(std::string_view document, const config::Overrides& all);
 
-// Throws config::Error for a path of `--set` that begins with home or away, which only old stored matches may have.
-void refuse_former_sides(const config::Overrides& typed);
+// Throws config::Error for a path of `--set` that begins with home or away, which only old stored matches may have, or
+// with the letter of a third team.
+void refuse_unknown_sides(const config::Overrides& typed);
 
 struct TeamSetup {
   std::shared_ptr<const config::Node> document;  // the team's document, changed by the values of --set

@@ -180,22 +180,14 @@ void add_document_options(Command& command, StudyOptions& options, const config:
                fmt::format("a value laid over {}, or over those of its matches; may be repeated", whose));
 }
 
-void add_clock_options(Command& command, campaign::Options& options) {
+void add_playing_options(Command& command, campaign::Options& options) {
+  command.take("--workers", options.workers, "N", "matches at the same time; default: one for each processor core");
   command.take("--until", options.until, "TIME",
                "begin no match after this time, as 08:00 or 2026-11-28T08:00; the study ends with the pairs of matches "
                "that are whole then, whatever the results (a tuning: its search ends)");
   command.take("--minutes", options.minutes, "N", "the same after so many minutes of wall time");
-}
-
-void add_campaign_options(Command& command, campaign::Options& options, const std::string& default_results) {
-  command.take("--workers", options.workers, "N", "matches at the same time; default: one for each processor core");
-  add_clock_options(command, options);
-  add_plugin_folders(command, options.plugins);
-  command.take("--results", options.results, "FILE",
-               fmt::format("file the results are kept in; default: {}", default_results), Writes::results);
   command.take("--record-every", options.record_every, "N",
                "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are");
-  command.flag("--resume", options.resume, "go on with what the file of results was begun with");
   command.take(
       "--notify", options.notify, "COMMAND",
       "run this command in a shell at the end; REGISTA_STATUS is done, stopped or failed, REGISTA_MESSAGE is the "
@@ -204,6 +196,14 @@ void add_campaign_options(Command& command, campaign::Options& options, const st
   command.flag("--no-page", options.no_page, "write no page NAME.html beside the results NAME.db at the end");
   command.flag("--json", options.json, "write the report as JSON");
   command.flag("--quiet", options.quiet, "no progress on standard error");
+}
+
+void add_campaign_options(Command& command, campaign::Options& options, const std::string& default_results) {
+  add_plugin_folders(command, options.plugins);
+  command.take("--results", options.results, "FILE",
+               fmt::format("file the results are kept in; default: {}", default_results), Writes::results);
+  command.flag("--resume", options.resume, "go on with what the file of results was begun with");
+  add_playing_options(command, options);
 }
 
 }  // namespace regista::cli

@@ -86,11 +86,11 @@ struct StudyOptions : campaign::Options {
 void add_document_options(Command& command, StudyOptions& options, const config::DocumentKind& kind,
                           std::span<const DocumentOption> own, std::string_view whose = "that document");
 
-// Adds --until, the time of day that stops the study, and --minutes, the duration after which the study stops.
-void add_clock_options(Command& command, campaign::Options& options);
+// Adds the options that a study may have anew each time it is gone on with: workers, time limit, recording, message at
+// the end, page and report.
+void add_playing_options(Command& command, campaign::Options& options);
 
-// Adds options for workers, time limit, results, recording, page and report. default_results: the default file, for
-// help.
+// Adds these, and options for plugins and results. default_results: the default file, for help.
 void add_campaign_options(Command& command, campaign::Options& options, const std::string& default_results);
 
 }  // namespace regista::cli

@@ -170,7 +170,7 @@ int play(results::MatchOptions options, const output::OutputFiles& outputs, cons
   if (std::ranges::find(log_levels, options.log) == log_levels.end()) {
     throw BadInput(texts::unknown("value", options.log, "--log", log_levels));
   }
-  campaign::refuse_former_sides(config::typed_overrides(options.set));
+  campaign::refuse_unknown_sides(config::typed_overrides(options.set));
   if (options.force && options.record.empty()) throw BadInput("--force: belongs to --record, which is not given");
   const std::optional<results::StoredMatch> stored = stored_match_of(options, invocation);
   if (!stored && options.teams.size() != 2) {

@@ -120,6 +120,7 @@ the documents and plugins. Where one of them or the program has changed since, n
 --pairs gives a tournament or an experiment more pairs of matches: one that has ended, too, but none whose sequential
 test was fixed for a number of them. A study that --until or --minutes stopped is complete; only another --until,
 --minutes or --pairs goes on with it, and its report then says that pairs were added. A tuning writes its team to NAME.tuned.yaml beside the results.
+--workers, --until, --minutes, --record-every and --notify are not stored: name them again.
 
 Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
 Regista; 130 interrupted.)";
@@ -147,6 +148,7 @@ int go_on_with_folder(const ResumeOptions& options, const Invocation& invocation
   folder.settings();  // throws if the folder is not a study folder
   for (const auto& [name, value] : {std::pair{"--workers", &options.workers},
                                     {"--record-every", &options.record_every},
+                                    {"--notify", &options.notify},
                                     {"--until", &options.until},
                                     {"--minutes", &options.minutes}}) {
     if (!value->empty())
@@ -316,14 +318,7 @@ void add_resume(Command& parent, const Invocation& invocation) {
                Writes::results);
   command.take("--pairs", options->pairs, "N",
                "of a tournament or an experiment: play so many pairs of matches in all, of each pairing or arm");
-  add_clock_options(command, *options);
-  command.take("--workers", options->workers, "N", "matches at the same time; default: one for each processor core");
-  command.take("--record-every", options->record_every, "N",
-               "record every N-th match, beside the results in NAME.recordings/ROW.mcap; those that fail always are");
-  command.flag("--live", options->live, "write the page while the study is played, too; it loads itself again");
-  command.flag("--no-page", options->no_page, "write no page NAME.html beside the results NAME.db at the end");
-  command.flag("--json", options->json, "write the report as JSON");
-  command.flag("--quiet", options->quiet, "no progress on standard error");
+  add_playing_options(command, *options);
   command.notes(resume_examples);
   command.run = [options, &command, &invocation] {
     return play(*options, output::OutputFiles(command.given(), "study"), invocation);

@@ -7,6 +7,7 @@
 #include <array>
 #include <charconv>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
@@ -253,7 +254,18 @@ struct Overlay {
   }
 };
 
-// Returns `; nearest: "b.yaml"` if the folder has a file with a similar name; otherwise an empty text.
+std::vector<std::string> shipped_names(const char* folder) {
+  std::vector<std::string> out;
+  std::error_code failed;
+  for (fs::directory_iterator entry(root() / folder, failed), end; !failed && entry != end; entry.increment(failed)) {
+    if (entry->path().extension() == ".yaml") out.push_back(entry->path().stem().string());
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+// Returns `; nearest: "b.yaml"` if the folder has a file with a similar name. A name without an ending may also be that
+// of a shipped document: if none is similar, the teams are listed, because most names are of teams.
 std::string neighbour(const fs::path& file) {
   constexpr std::size_t most = 1000;
   const std::string asked = file.filename().string(), name = file.stem().string();
@@ -271,15 +283,15 @@ std::string neighbour(const fs::path& file) {
         shipped(name).empty() ? "" : fmt::format("; shipped documents go by their names: {}", name);
     return fmt::format("; there is no folder {}{}", folder.string(), known);
   }
-  for (const char* const each : folders) {
-    if (asked != name) break;  // a name with an ending is no name of a shipped document
-    for (fs::directory_iterator entry(root() / each, failed), end; !failed && entry != end; entry.increment(failed)) {
-      if (entry->path().extension() == ".yaml") names.push_back(entry->path().stem().string());
-    }
+  const bool may_be_shipped = asked == name;
+  if (may_be_shipped) {
+    for (const char* const each : folders) std::ranges::move(shipped_names(each), std::back_inserter(names));
   }
   std::ranges::sort(names);
   const std::string_view near = texts::nearest(asked, names);
-  return near.empty() || near == asked ? "" : fmt::format("; nearest: {}", texts::in_quotes(near));
+  if (!near.empty() && near != asked) return fmt::format("; nearest: {}", texts::in_quotes(near));
+  const std::vector<std::string> teams = may_be_shipped ? shipped_names(folders.front()) : std::vector<std::string>();
+  return teams.empty() ? "" : fmt::format("; shipped teams: {}", texts::join(teams));
 }
 
 constexpr std::size_t most_files = 20'000;  // largest number of files to find; a folder may contain any number of files

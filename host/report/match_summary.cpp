@@ -103,7 +103,8 @@ std::string summary_text(const campaign::PlayedMatch& match, const WhatWasPlayed
   const Section before = played_section(played);
   std::string out = before.title + '\n' + section_text(before) + '\n';
   out += fmt::format("{} {} : {} {}\n\n", match.titles[0], result.score[0], result.score[1], match.titles[1]);
-  out += fmt::format("ended       {}, after {:.1f} s\n", in_words(result.ended), result.simulated_seconds);
+  out += fmt::format("ended       {}, after {:.1f} s{}\n", in_words(result.ended), result.simulated_seconds,
+                     result.metrics.playing_seconds > 0.0 ? "" : ", before the first kick-off");
   out += fmt::format("seed        {}\n", match.seed);
   if (!match.opening.empty()) out += fmt::format("opening     {}\n", match.opening);
   out += fmt::format("state hash  {}\n", match::hash_text(result.hash));

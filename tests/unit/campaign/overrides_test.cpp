@@ -43,9 +43,9 @@ TEST(Overrides, TeamsAreCalledByLettersInAMatchToo) {
   EXPECT_EQ(of(all, "away"), (List{"team=y", "k=v"}));
   EXPECT_EQ(of(all, "home_disturbance"), List{"radio.delay=2"});
   EXPECT_EQ(of(all, "away_disturbance"), List{"radio.loss=1"});
-  EXPECT_NO_THROW(refuse_former_sides(all));
+  EXPECT_NO_THROW(refuse_unknown_sides(all));
   try {
-    refuse_former_sides({"away.tasks.keep=all"});
+    refuse_unknown_sides({"away.tasks.keep=all"});
     FAIL() << "version 0.2 called it so";
   } catch (const config::Error& error) {
     EXPECT_STREQ(
@@ -53,6 +53,8 @@ TEST(Overrides, TeamsAreCalledByLettersInAMatchToo) {
         "--set away.tasks.keep=all: the first team, at home, is called a and the second b, as in all commands: "
         "b.tasks.keep");
   }
+  EXPECT_THROW(refuse_unknown_sides({"c.tasks.keep=all"}), config::Error);
+  EXPECT_NO_THROW(refuse_unknown_sides({"c=1"}));  // a key of both teams, unknown or not
 }
 
 TEST(Overrides, KeepTheirOrder) {
