@@ -135,6 +135,9 @@ class Notice(tournament.Tournament):
         status, message, results = self.note()
         self.assertEqual((status, results), ("done", str(self.folder / "r.db")))
         self.assertIn(message, " ".join(report.split()))
+        (self.folder / "note.txt").unlink()
+        self.succeed("resume", "r.db", "--quiet", "--notify", self.NOTE)
+        self.assertEqual(self.note()[0], "done")
 
     def test_a_study_that_the_clock_stops_before_its_first_pair(self):
         self.run_program(*self.arguments("--quiet", "--minutes", "0.0001", "--results", "none.db", "--notify", self.NOTE, pairs=500))
