@@ -26,10 +26,11 @@
 
 #include "campaign/match_setup.hpp"
 #include "campaign/play_job.hpp"
-#include "config/disturbance.hpp"
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
 #include "config/robot.hpp"
+#include "config/rules.hpp"
 #include "config/values.hpp"
 #include "plugin/catalogue.hpp"
 #include "plugin/fatal_signal.hpp"

@@ -5,6 +5,7 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <cstdint>
 
 #include <algorithm>
 #include <csignal>

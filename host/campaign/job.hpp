@@ -60,7 +60,7 @@ struct Input {
   friend bool operator==(const Input&, const Input&) = default;
 };
 
-// The options of `regista match` that both teams share.
+// The files that a match has beside its teams, and its limit: options of `regista match`.
 struct MatchConditions {
   std::string rules, robot, disturbance;  // files; empty: the built-in values
   // Files: the disturbance of one side, used instead of `disturbance`; empty: the side has `disturbance`.
@@ -84,7 +84,7 @@ struct Job : MatchConditions {
   plugin::Inspection look = plugin::Inspection::seldom;
   bool hides = false;  // true: inspected calls see only those inputs that their plugins declare to read
   bool trail = false;  // true: the worker writes the answers of plugins to its trail (decision_trail.hpp)
-  Limits limits;       // for the processes of minds, if `separation` is not none
+  Limits limits;       // for the worker and the processes of minds
   bool is_apart() const { return separation != Separation::none; }
   // The folder with copies of the files: the copy of /a/b is root/a/b. Empty: there are no copies. Relative names must
   // be read in the copy of the folder in which they were given. Keys and comparisons of inputs leave `root` out.

@@ -14,6 +14,7 @@
 #include "campaign/job.hpp"
 #include "campaign/worker.hpp"
 #include "plugin/shared_object.hpp"
+#include "process/file_descriptor.hpp"
 
 namespace regista::campaign {
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
+#include <cstdint>
 
 #include <algorithm>
 #include <cassert>
@@ -15,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "config/document_files.hpp"
 #include "config/documents.hpp"
 #include "config/errors.hpp"
 #include "config/parse.hpp"

@@ -102,7 +102,7 @@ void StoredMetrics::write(std::int64_t row, const Packed& numbers) {
 
 StoredMetrics::StoredMetrics(SQLite::Database& database, bool written_to)
     : database_(database), rows_(database, "row, names, size, numbers, checksum FROM metrics") {
-  // This statement only tests whether the table exists, and throws if it does not. text() reads names later.
+  // This statement only tests whether the table exists, and throws if it does not. text_of_names() reads names later.
   SQLite::Statement(database, "SELECT id, names, checksum FROM metric_names");
   if (!written_to) return;
   insert_ = std::make_unique<SQLite::Statement>(

@@ -13,8 +13,8 @@
 #include <system_error>
 
 #include "campaign/stored_row.hpp"
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
-#include "config/overlay.hpp"
 #include "mcap/encoding.hpp"
 #include "texts/message.hpp"
 

@@ -11,8 +11,8 @@
 
 #include <regista/abi.h>
 
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
-#include "config/overlay.hpp"
 #include "config/scalar.hpp"
 #include "plugin/description.hpp"
 #include "texts/message.hpp"

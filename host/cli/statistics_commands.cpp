@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "cli/common_options.hpp"
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
 #include "config/scalar.hpp"

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "campaign/match_setup.hpp"
+#include "campaign/store.hpp"
 #include "cluster/batch.hpp"
 #include "command/terminal.hpp"
 #include "config/scalar.hpp"

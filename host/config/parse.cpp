@@ -14,7 +14,7 @@
 #include <sstream>
 #include <utility>
 
-#include "config/overlay.hpp"
+#include "config/document_files.hpp"
 #include "texts/message.hpp"
 
 namespace regista::config {
@@ -362,7 +362,7 @@ Node build(std::string_view text, const Location& place, bool fixed) {
 }  // namespace
 
 Node parse(const std::filesystem::path& file, const Location& asked_by) {
-  return parse_text(read_file(file, asked_by, "a YAML file"), file.string());
+  return parse_text(read_file(file, asked_by, yaml_file), file.string());
 }
 
 Node parse_text(std::string_view text, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <system_error>
 
+#include "config/document_files.hpp"
 #include "config/overlay.hpp"
 #include "config/renamed_keys.hpp"
 #include "config/scalar.hpp"

@@ -14,7 +14,7 @@ namespace regista::config {
 
 // A context as it is written: `use:` is not laid over the team's values yet.
 struct ContextPage {
-  Context context;  // without targets and the values of Coordination
+  Context context;  // without role list, targets and the values of Coordination
   Node use;
 };
 
@@ -25,7 +25,7 @@ struct RoleTarget {
 };
 
 struct TeamDocument {
-  Team team;  // without contexts
+  Team team;  // without contexts, file, places and the default of the title
   std::vector<ContextPage> contexts;
   Coordination coordination;
 };

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <set>
 
-#include "config/overlay.hpp"
+#include "config/document_files.hpp"
 #include "config/parse.hpp"
 #include "config/read.hpp"
 #include "config/scalar.hpp"

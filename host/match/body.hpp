@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "config/robot.hpp"
+#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/action.hpp"
 

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <span>
 
+#include "match/plane.hpp"
 #include "match/side.hpp"
 
 namespace regista::match {

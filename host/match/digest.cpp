@@ -63,6 +63,12 @@ std::string unsound(const mind::Outcome& outcome, const config::Robot& robot, co
       return fmt::format("metric {} is out of range", each.metric);
     }
   }
+  const mind::SegmentCounts& counts = outcome.segments;
+  constexpr std::int64_t most_segments = std::int64_t{1} << 32;  // of a decision
+  for (const std::int64_t count :
+       {counts.offered, counts.refused, counts.sent, counts.dropped, counts.heard, counts.bytes}) {
+    if (count < 0 || count > most_segments) return "counts of segments are out of range";
+  }
   return {};
 }
 

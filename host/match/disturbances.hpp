@@ -12,6 +12,7 @@
 
 #include "config/disturbance.hpp"
 #include "config/rules.hpp"
+#include "match/plane.hpp"
 #include "match/side.hpp"
 #include "mind/percepts.hpp"
 

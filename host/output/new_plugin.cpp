@@ -8,8 +8,8 @@
 #include <optional>
 #include <system_error>
 
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
-#include "config/overlay.hpp"
 #include "plugin/description.hpp"
 #include "texts/message.hpp"
 

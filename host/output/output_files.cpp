@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
 #include "output/replaced_file.hpp"

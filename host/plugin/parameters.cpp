@@ -9,7 +9,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "config/overlay.hpp"
+#include "config/document_files.hpp"
 #include "config/renamed_keys.hpp"
 #include "config/scalar.hpp"
 #include "plugin/description.hpp"

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "report/experiment_report.hpp"
 #include "report/match_remarks.hpp"

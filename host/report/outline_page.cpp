@@ -8,6 +8,10 @@
 #include <cassert>
 #include <cmath>
 #include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "report/match_remarks.hpp"
 #include "report/outline.hpp"

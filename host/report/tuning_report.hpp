@@ -4,8 +4,6 @@
 // teams are equal. The report contains no times and no rates.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

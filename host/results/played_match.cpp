@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -16,6 +17,7 @@
 #include "campaign/engine.hpp"
 #include "campaign/match_encoding.hpp"
 #include "command/terminal.hpp"
+#include "config/overlay.hpp"
 #include "config/scalar.hpp"
 #include "match/game_state.hpp"
 #include "match/teams.hpp"
@@ -23,6 +25,7 @@
 #include "output/replaced_file.hpp"
 #include "plugin/process_state.hpp"
 #include "process/child.hpp"
+#include "process/file_descriptor.hpp"
 #include "recording/decision_log.hpp"
 #include "recording/match_recording.hpp"
 #include "report/match_summary.hpp"

@@ -15,7 +15,7 @@
 
 #include "campaign/match_setup.hpp"
 #include "command/terminal.hpp"
-#include "config/overlay.hpp"
+#include "config/document_files.hpp"
 #include "match/side.hpp"
 #include "mcap/file_io.hpp"
 #include "process/file_descriptor.hpp"

@@ -17,6 +17,7 @@
 #include <system_error>
 
 #include "campaign/forked_match.hpp"
+#include "config/document_files.hpp"
 #include "config/errors.hpp"
 #include "config/overlay.hpp"
 #include "mind/coordination/unused_parts.hpp"

@@ -80,6 +80,7 @@ class Names(program.ShippedCase):
 
     def test_names_that_nothing_has(self):
         self.assertEqual(self.refused("config", "show", "papr"), 'regista: papr: no such file; nearest: "paper"\n')
+        self.assertRegex(self.refused("config", "show", "qqqqqqqq"), "no such file; shipped teams: .*paper")
         self.write("mine.yaml", "extends: papr\nteam: mine\n")
         self.assertIn('no such file; nearest: "paper"', self.refused("config", "check", "mine.yaml"))
         self.assertIn("there is no folder configs/teams; shipped documents go by their names: paper",

@@ -75,6 +75,7 @@ class Match(program.Case):
         reasons = result["packets_by_reason"][0]
         self.assertIn(f"packets {sent} of 1200 (share of this length: 30, OVERSPENT): {reasons['second']} second, "
                       f"{reasons['period']} period\n", page)
+        self.assertIn("after 1.0 s, before the first kick-off\n", self.succeed("match", "small.yaml", "small.yaml", "--limit", "1"))
 
     def test_shipped_profiles_are_the_built_in_values(self):
         configs = program.SOURCE / "configs"

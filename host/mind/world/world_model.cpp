@@ -150,12 +150,12 @@ void LocalModel::update(const Percepts& percepts, double dt, const regista_frame
     return model.tracks();
   };
   balls_ = updated(ball_model_, [&] {
+    sighted_ = !percepts.balls.empty();  // before the plugin is asked, which may ask for it
     for (const BallSighting& ball : percepts.balls) {
       add_in_field_frame(REGISTA_MEASURED_BALL, ball.position, ball.along, ball.across);
     }
     if (ball_on_centre) set_position_covariance(add(REGISTA_MEASURED_BALL, 0.0, 0.0), 0.0025, 0.0, 0.0025);
   });
-  sighted_ = !percepts.balls.empty();
   const auto measure_robots = [&](bool own_team) {
     for (const RobotSighting& robot : percepts.robots) {
       if (!percepts.camera || robot.own_team != own_team) continue;
