@@ -133,7 +133,8 @@ std::string to_name(const Node& node, std::string_view what) {
   }
   const auto allowed = [](char c) { return letter(c) || digit(c) || c == '_' || c == '-'; };
   if (text.empty() || !letter(text[0]) || !std::ranges::all_of(text, allowed)) {
-    refuse_text(node, what, "is not a name (a letter, then letters, digits, '_' and '-')");
+    const char* const hint = what == "team" ? "; a name for people is a value of the key title" : "";
+    refuse_text(node, what, fmt::format("is not a name (a letter, then letters, digits, '_' and '-'){}", hint));
   }
   constexpr std::size_t longest = 64;
   if (text.size() > longest) refuse_text(node, what, fmt::format("is longer than {} characters", longest));

@@ -303,6 +303,10 @@ TEST(Team, WhatIsRefused) {
       // Keys and values that run together
       {4, "assigner {plugin: greedy}", "t.yaml:4:1: ':' is missing after assigner"},
       {4, "assigner: {plugin:greedy}", "t.yaml:4:12: \"plugin:greedy\": a space is missing after plugin:"},
+      {1, "team: Nao Devils",
+       "t.yaml:1:7: team: \"Nao Devils\" is not a name (a letter, then letters, digits, '_' and '-'); a name for "
+       "people is a "
+       "value of the key title"},
       // Roles
       {6, "", "t.yaml:1:1: missing key \"roles\""},
       {6, "roles: {}", "t.yaml:6:8: roles: 0 elements; expected 1 to 64"},
