@@ -100,7 +100,7 @@ const Graph& Diagram::of(std::span<const Point> opponents) {
   }
   std::sort(opponents_.begin(), opponents_.end());
   opponents_.erase(std::unique(opponents_.begin(), opponents_.end()), opponents_.end());
-  if (known_ && opponents_ == asked_) return graph_;
+  if (known_ && still_holds()) return graph_;
   known_ = false;
 
   sites_.resize(opponents_.size() + settings_.fixed.size());
@@ -114,6 +114,20 @@ const Graph& Diagram::of(std::span<const Point> opponents) {
   asked_ = opponents_;
   known_ = true;
   return graph_;
+}
+
+// Whether as many opponents are there as when the graph was computed, each near a place of then, and each place of then
+// near an opponent. It is measured from those places, so that slow motion adds up.
+bool Diagram::still_holds() const {
+  if (opponents_ == asked_) return true;
+  if (!(settings_.at_least > 0.0) || opponents_.size() != asked_.size()) return false;
+  const double limit = settings_.at_least * settings_.at_least;
+  const auto each_is_near = [limit](const std::vector<Point>& points, const std::vector<Point>& others) {
+    return std::ranges::all_of(points, [&](const Point& point) {
+      return std::ranges::any_of(others, [&](const Point& other) { return squared(point, other) < limit; });
+    });
+  };
+  return each_is_near(opponents_, asked_) && each_is_near(asked_, opponents_);
 }
 
 // The diagram's nodes and edges, dropped and clipped.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // V of the paper (Affinita et al. 2023, "Voronoi Diagram"): the nodes of the Voronoi diagram of the opponents are the
 // points farthest from them, its edges the best paths between. The diagram is the dual of the Delaunay triangulation.
-// The figures are those of the SPQR team's released code of 2023: sites are the opponents inside the field, both ends
-// of the halfway line and the opponent's goal posts; nodes are dropped beyond 5.5 m / 4.0 m and clipped to 4.35 m
-// / 2.85 m; nodes nearer than 0.75 m merge; an edge with an opponent within 0.75 m of it is dropped.
+// The figures are those of the SPQR team's released code of 2023 (VoronoiProvider): sites are the opponents inside the
+// field, the field's four corners, both ends of the halfway line and the opponent's goal posts; nodes are dropped
+// beyond 5.5 m / 4.0 m and clipped to 4.35 m / 2.85 m; nodes nearer than 0.75 m merge; an edge with an opponent within
+// 0.75 m of it is dropped.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,10 @@ struct Settings {
   double clearance = 0.75;  // m; edges that pass an opponent nearer than this are dropped
   double full_score = 3.0;  // m, > 0; distance from the nearest opponent that gives score 1
   bool boundary = false;    // also nodes where an edge leaves `clip`
-  std::vector<Point> fixed{{0.0, -3.0}, {0.0, 3.0}, {4.5, -0.8}, {4.5, 0.8}};  // further sites
+  double at_least = 0.0;    // m; the graph stays until an opponent has moved so far; 0: until any has moved at all
+  // Further sites.
+  std::vector<Point> fixed{{-4.5, -3.0}, {-4.5, 3.0}, {4.5, -3.0}, {4.5, 3.0},
+                           {0.0, -3.0},  {0.0, 3.0},  {4.5, -0.8}, {4.5, 0.8}};
 };
 
 struct Node {
@@ -52,8 +56,12 @@ class Diagram {
   explicit Diagram(Settings settings);
 
   // The graph for these opponents, in any order, coincident ones allowed; positions are finite. The same set of
-  // positions gives the same graph bit for bit. Valid until the next call; unchanged positions cost nothing.
+  // positions gives the same graph bit for bit, unless `at_least` keeps an earlier one. Valid until the next call; a
+  // graph that is kept costs nothing.
   const Graph& of(std::span<const Point> opponents);
+
+  // Forgets the graph that `at_least` would keep.
+  void reset() { known_ = false; }
 
  private:
   // Corners that have become one: their number and sum.
@@ -79,6 +87,7 @@ class Diagram {
     std::size_t index;
   };
 
+  bool still_holds() const;
   void find_corners();
   void add_boundary();
   void merge();

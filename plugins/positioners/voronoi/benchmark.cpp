@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the graph of 11 opponents (15 sites with the fixed ones) costs, beside CGAL alone: insertion of the same sites,
+// What the graph of 11 opponents (19 sites with the fixed ones) costs, beside CGAL alone: insertion of the same sites,
 // each from where the last one went, and the circumcentre of every triangle. Two runs alternate in one process, so that
 // the machine's clock moves both. `allocations` is their number per graph in the steady state.
 #include <CGAL/Delaunay_triangulation_2.h>

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
+#include <map>
 #include <random>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <regista/testkit/contract.hpp>
@@ -65,6 +69,11 @@ bool near(const voronoi::Node& node, const Point& point, double tolerance) {
   return std::hypot(node.x - point.x, node.y - point.y) <= tolerance;
 }
 
+bool same_bytes(const Graph& a, const Graph& b) {
+  return a.nodes.size() == b.nodes.size() && a.edges == b.edges &&
+         (a.nodes.empty() || std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(a.nodes[0])) == 0);
+}
+
 TEST(Voronoi, NodesEqualBruteForce) {
   std::mt19937 random(6);
   const Extent field{4.5, 3.0};
@@ -111,12 +120,71 @@ TEST(Voronoi, EdgesRunBetweenTwoNearestSites) {
 TEST(Voronoi, OnlyTheFixedSites) {
   Diagram diagram{Settings{}};
   const Graph& graph = diagram.of({});
-  // The four are on one circle about (x, 0) with x^2 + 3^2 = (4.5 - x)^2 + 0.8^2.
-  ASSERT_EQ(graph.nodes.size(), 1u);
-  EXPECT_NEAR(graph.nodes[0].x, (4.5 * 4.5 + 0.64 - 9.0) / 9.0, 1e-12);
-  EXPECT_NEAR(graph.nodes[0].y, 0.0, 1e-12);
-  EXPECT_EQ(graph.nodes[0].score, 1.0);
-  EXPECT_TRUE(graph.edges.empty());
+  // Ends and posts are on one circle about (x, 0) with x^2 + 3^2 = (4.5 - x)^2 + 0.8^2. Corners and ends of the own
+  // half are a rectangle; post, corner and end of the other half are a triangle on either side.
+  const double x = (4.5 * 4.5 + 0.64 - 9.0) / 9.0;
+  const std::vector<Point> expected{{-2.25, 0.0}, {x, 0.0}, {2.25, -1.9}, {2.25, 1.9}};
+  ASSERT_EQ(graph.nodes.size(), expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    EXPECT_TRUE(near(graph.nodes[k], expected[k], 1e-12)) << k;
+    EXPECT_EQ(graph.nodes[k].score, 1.0);
+  }
+  EXPECT_EQ(graph.edges, (std::vector<voronoi::Edge>{{0, 1}, {1, 2}, {1, 3}}));
+}
+
+// With the released sites there nearly always is a node before the own goal, where defenders belong; without the
+// corners there mostly is none.
+TEST(Voronoi, ANodeIsBeforeTheOwnGoal) {
+  std::mt19937 random(46);
+  Settings without_corners;
+  std::erase_if(without_corners.fixed, [](const Point& site) { return std::abs(site.x) + std::abs(site.y) > 7.0; });
+  ASSERT_EQ(without_corners.fixed.size(), 4u);
+  Diagram released{Settings{}}, bald(without_corners);
+  const auto is_there = [](const Graph& graph) {
+    return std::ranges::any_of(graph.nodes,
+                               [](const voronoi::Node& node) { return node.x < -2.0 && std::abs(node.y) < 2.0; });
+  };
+  constexpr int line_ups = 300;
+  int with = 0, without = 0;
+  for (int k = 0; k < line_ups; ++k) {
+    const std::vector<Point> opponents = random_points(random, 7, {4.5, 3.0});
+    with += is_there(released.of(opponents)) ? 1 : 0;
+    without += is_there(bald.of(opponents)) ? 1 : 0;
+  }
+  EXPECT_GE(with, line_ups * 95 / 100);
+  EXPECT_LE(without, line_ups / 2);
+}
+
+// The graph is that of the places from which nobody has moved by `at_least`, however slowly they move.
+TEST(Voronoi, AGraphStaysUntilAnOpponentHasMoved) {
+  Settings settings;
+  settings.at_least = 0.05;
+  Diagram kept(settings), fresh{Settings{}};
+  std::mt19937 random(47);
+  std::vector<Point> now = random_points(random, 7, {4.0, 2.5}), asked = now;
+  int computed = 0;
+  for (int step = 0; step < 500; ++step) {
+    for (std::size_t k = 0; k < now.size(); ++k) now[k].x += k % 2 == 0 ? 0.003 : -0.002;
+    std::shuffle(now.begin(), now.end(), random);
+    const auto near_an_asked = [&](const Point& point) {
+      return std::ranges::any_of(
+          asked, [&](const Point& other) { return std::hypot(point.x - other.x, point.y - other.y) < 0.05; });
+    };
+    if (step == 0 || !std::ranges::all_of(now, near_an_asked)) {
+      asked = now;
+      ++computed;
+    }
+    EXPECT_TRUE(same_bytes(kept.of(now), fresh.of(asked))) << "step " << step;
+  }
+  EXPECT_GT(computed, 20);
+  EXPECT_LT(computed, 40);
+  now.pop_back();
+  EXPECT_TRUE(same_bytes(kept.of(now), fresh.of(now))) << "one fewer";
+  std::vector<Point> moved = now;
+  for (Point& point : moved) point.y += 0.01;
+  EXPECT_TRUE(same_bytes(kept.of(moved), fresh.of(now)));
+  kept.reset();
+  EXPECT_TRUE(same_bytes(kept.of(moved), fresh.of(moved)));
 }
 
 TEST(Voronoi, NodesOutsideAreMovedInOrDropped) {
@@ -175,11 +243,6 @@ TEST(Voronoi, BoundaryNodesOfTwoAndOfCollinearSites) {
   const Graph lines = diagram.of(row);
   EXPECT_EQ(lines.nodes.size(), 4u);
   EXPECT_EQ(lines.edges.size(), 2u);
-}
-
-bool same_bytes(const Graph& a, const Graph& b) {
-  return a.nodes.size() == b.nodes.size() && a.edges == b.edges &&
-         (a.nodes.empty() || std::memcmp(a.nodes.data(), b.nodes.data(), a.nodes.size() * sizeof(a.nodes[0])) == 0);
 }
 
 // Coordinates on a coarse grid, so that coincident, collinear and cocircular sites abound.
@@ -284,24 +347,24 @@ TEST(Voronoi, MergingTakesTheMiddle) {
 
 using namespace regista::testkit;
 
-TEST(VoronoiPlugin, SitesAreTheOpponentsTheHalfwayLineAndThePosts) {
+// The plugin's points and edges are those of the diagram with these fixed sites.
+void expect_sites(const std::map<std::string, double>& values, std::vector<Point> fixed,
+                  const std::vector<Point>& opponents) {
   const Loaded plugin(REGISTA_PLUGIN_FILE, "voronoi");
-  Instance positioner(plugin, EnvironmentBuilder{}.own(2));
-  const Scene scene = FrameBuilder{}
-                          .own(2)
-                          .robot(2)
-                          .at(0, 0)
-                          .opponent(1.0, 0.5)
-                          .opponent(-2.0, 1.0)
-                          .opponent(-1.5, -2.0)
-                          .opponent(7.0, 0.0)
-                          .build()
-                          .before_tasks();
-  Diagram diagram{Settings{}};  // of the same field, by default
-  const std::vector<Point> opponents{{1.0, 0.5}, {-2.0, 1.0}, {-1.5, -2.0}, {7.0, 0.0}};
+  Values chosen(plugin);
+  for (const auto& [name, value] : values) chosen.set(name, value);
+  Instance positioner(plugin, EnvironmentBuilder{}.own(2), chosen);
+  FrameBuilder frame;
+  frame.own(2).robot(2).at(0, 0);
+  for (const Point& opponent : {Point{1.0, 0.5}, Point{-2.0, 1.0}, Point{-1.5, -2.0}, Point{7.0, 0.0}}) {
+    frame.opponent(opponent.x, opponent.y);
+  }
+  const Scene scene = frame.build().before_tasks();
+  Settings settings;  // of the same field, by default
+  settings.fixed = std::move(fixed);
+  Diagram diagram(settings);
   const Graph& expected = diagram.of(opponents);
   const Placed placed = positioner.place(scene);
-  ASSERT_GE(expected.nodes.size(), 3u);
   ASSERT_EQ(placed.points.size(), expected.nodes.size());
   for (std::size_t i = 0; i < placed.points.size(); ++i) {
     EXPECT_EQ(placed.points[i].x, expected.nodes[i].x);
@@ -315,6 +378,23 @@ TEST(VoronoiPlugin, SitesAreTheOpponentsTheHalfwayLineAndThePosts) {
     EXPECT_EQ(placed.edges[i].from, expected.edges[i].from);
     EXPECT_EQ(placed.edges[i].to, expected.edges[i].to);
   }
+}
+
+TEST(VoronoiPlugin, EachGroupOfSitesIsASwitch) {
+  const std::vector<Point> all{{1.0, 0.5}, {-2.0, 1.0}, {-1.5, -2.0}};  // the fourth is beyond the lines
+  const std::vector<Point> corners{{-4.5, -3.0}, {-4.5, 3.0}, {4.5, -3.0}, {4.5, 3.0}}, ends{{0.0, -3.0}, {0.0, 3.0}},
+      posts{{4.5, -0.8}, {4.5, 0.8}}, goal{{-4.5, 0.0}};
+  const auto of = [](std::initializer_list<std::vector<Point>> groups) {
+    std::vector<Point> out;
+    for (const std::vector<Point>& group : groups) out.insert(out.end(), group.begin(), group.end());
+    return out;
+  };
+  expect_sites({}, of({ends, posts}), all);
+  expect_sites({{"field_corners", 1.0}}, of({corners, ends, posts}), all);
+  expect_sites({{"halfway_ends", 0.0}}, of({posts}), all);
+  expect_sites({{"opponent_posts", 0.0}}, of({ends}), all);
+  expect_sites({{"own_goal", 1.0}}, of({ends, posts, goal}), all);
+  expect_sites({{"opponents", 0.0}, {"field_corners", 1.0}}, of({corners, ends, posts}), {});
 }
 
 TEST(VoronoiPlugin, CellsOfTheActiveRobotsWhenAskedFor) {

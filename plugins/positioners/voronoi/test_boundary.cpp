@@ -215,7 +215,7 @@ std::vector<Point> moved(std::vector<Point> sites, std::mt19937& random) {
   return sites;
 }
 
-const std::vector<Point> posts_and_ends{{0.0, -3.0}, {0.0, 3.0}, {4.5, -0.8}, {4.5, 0.8}};
+const std::vector<Point> released = Settings{}.fixed;  // corners, ends of the halfway line, posts
 
 TEST(VoronoiBoundary, NodesAndEdgesAreThoseOfHalfPlaneCells) {
   std::mt19937 random(18);
@@ -223,7 +223,7 @@ TEST(VoronoiBoundary, NodesAndEdgesAreThoseOfHalfPlaneCells) {
     for (const bool fixed : {false, true}) {
       int sets = 0, wrong = 0;
       Settings settings = bare();
-      if (fixed) settings.fixed = posts_and_ends;
+      if (fixed) settings.fixed = released;
       for (int round = 0; round < 1000; ++round) {
         const std::vector<Point> drawn = draw(random, shapes[shape]);
         if (drawn.size() < 2) continue;
@@ -245,7 +245,7 @@ TEST(VoronoiBoundary, NodesAndEdgesAreThoseOfHalfPlaneCells) {
 TEST(VoronoiBoundary, NodesDoNotJump) {
   std::mt19937 random(19);
   Settings field_only = bare(), with_fixed = bare(), dropped_beyond = bare();
-  with_fixed.fixed = dropped_beyond.fixed = posts_and_ends;
+  with_fixed.fixed = dropped_beyond.fixed = released;
   dropped_beyond.keep = Settings{}.keep;
   dropped_beyond.clip = Settings{}.clip;
   for (std::size_t shape = 0; shape < std::size(shapes); ++shape) {
