@@ -49,8 +49,9 @@ inline Problem random_problem(std::mt19937& random, std::size_t most_robots, std
   return out;
 }
 
-// The largest sum of values, by successive longest paths in the network robot (most) - robot and group (1) - task (1):
-// paths that add nothing are not taken. `counts`: robots that take part.
+// Returns the largest sum of values that any allocation has: a flow of greatest value, found by successive longest
+// paths. A robot is a node that lets `most` tasks through, a pair of robot and group lets one through, and so does a
+// task. The search ends where no path adds value. counts: the robots that take part; empty: all.
 inline std::int64_t best_sum(const Problem& problem, const std::vector<char>& counts = {}) {
   struct Edge {
     std::size_t to;
@@ -156,7 +157,7 @@ class Team {
     return changed;
   }
 
-  // Of one robot: hears what has arrived, decides, speaks.
+  // The turn of one robot: it hears what has arrived, decides, speaks. Returns whether its bids have changed.
   bool turn(std::size_t robot) {
     auction::Participant<Rule>& self = members[robot];
     const std::vector<Bid> before(self.table().begin(), self.table().end());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Maps in and out of frames: which robots and tasks there are here, the own assignment as a map, and a map in words.
-// Glue of plugins that tell maps.
+// A map is an assignment as robots send it to each other in a negotiation: which robot takes which task. These
+// functions list the robots and tasks of a Frame, turn this robot's assignment into a map, and write a map as text.
 #pragma once
 
 #include <cstddef>

@@ -60,8 +60,9 @@ inline bool in_the_way(const Point& centre, double dx, double dy, double radius)
   return ex * ex + ey * ey < radius * radius;
 }
 
-// How many of the others are in the way by (dx, dy), counted up to `enough`. Most are farther than a radius from its
-// whole line, by more than any rounding, and are left out by the cross product.
+// Returns how many of the others block the straight way from the origin to (dx, dy), but at most `enough`. The cross
+// product first leaves out robots that are farther than `radius` from the infinite line through the way: most of them.
+// Its margin is so large that rounding leaves out no robot that blocks.
 inline double count_in_the_way(const Offsets& others, double dx, double dy, double radius, double enough) {
   const double beyond = radius * (1.0 + 1e-9) + 1e-9, far = beyond * beyond * (dx * dx + dy * dy);
   double count = 0.0;

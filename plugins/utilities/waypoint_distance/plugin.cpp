@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Utility plugin around algorithm.hpp: the chosen world's active robots against the waypoints that the host has matched
-// with the tasks, or that a positioner has given them.
+// Utility plugin around algorithm.hpp: the distance of each active robot of the chosen world to the waypoint of each
+// task. That is the waypoint that the positioner made for the task, or else the one that the host matched with it.
 #include <vector>
 
 #include <regista/utility.hpp>

@@ -26,7 +26,7 @@ TEST(WaypointDistance, StraightClosedForms) {
 }
 
 TEST(WaypointDistance, AlongTheEdges) {
-  // A square with its side from 0 to 3 missing.
+  // A square without the edge between the nodes 0 and 3.
   const std::vector<Point> nodes{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const std::vector<Edge> edges{{0, 1}, {1, 2}, {3, 2}};
   const auto out = table({{0, -0.5}, {0, 1}}, {3}, nodes, edges, {10.0, true});

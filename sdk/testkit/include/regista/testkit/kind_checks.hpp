@@ -60,7 +60,7 @@ Findings check_labels_are_stable(const Loaded& plugin, const Options& options);
 // the model alone.
 Findings check_track_at(const Loaded& plugin, const Options& options);
 
-// --- What regista_track promises, from any predictor
+// --- Checks of what regista_track promises, whatever the predictor
 
 namespace detail {
 
