@@ -178,6 +178,13 @@ results::PlannedStudy planned(Plan plan, const config::Mistakes& mistakes, std::
   return {to_json(plan), plan.asked.name, std::move(documents)};
 }
 
+// Plans a study of one document. plan_document: study::planned_experiment() or study::planned_tuning().
+template <auto plan_document>
+results::PlannedStudy planned_by(const config::Node& document, const Folders& plugins,
+                                 const plugin::Catalogue& catalogue, config::Mistakes& mistakes) {
+  return planned(plan_document(document, plugins, catalogue, mistakes), mistakes);
+}
+
 // These functions call study::with_pairs() and study::without_end() for the text of a plan. read: reads the text.
 template <auto read>
 std::string with_pairs(const std::string& plan, std::uint64_t pairs) {
@@ -374,10 +381,7 @@ std::span<const results::StudyKind> study_kinds() {
       {.name = study::experiment_study,
        .article = "an experiment",
        .document = DocumentKind::experiment,
-       .plan =
-           [](const Node& document, const Folders& plugins, const Catalogue& catalogue, Mistakes& mistakes) {
-             return planned(study::planned_experiment(document, plugins, catalogue, mistakes), mistakes);
-           },
+       .plan = planned_by<study::planned_experiment>,
        .report = [](const std::string& plan, const campaign::Store* store, report::CommandOf again) -> Report {
          return report::experiment_report(stored(study::experiment_plan_from_json(plan), store), std::move(again));
        },
@@ -386,10 +390,7 @@ std::span<const results::StudyKind> study_kinds() {
       {.name = study::tuning_study,
        .article = "a tuning",
        .document = DocumentKind::tuning,
-       .plan =
-           [](const Node& document, const Folders& plugins, const Catalogue& catalogue, Mistakes& mistakes) {
-             return planned(study::planned_tuning(document, plugins, catalogue, mistakes), mistakes);
-           },
+       .plan = planned_by<study::planned_tuning>,
        .report = [](const std::string& plan, const campaign::Store* store, const report::CommandOf&) -> Report {
          return std::make_unique<report::TuningReport>(
              stored(study::tuning_plan_from_json(plan), store),
