@@ -267,13 +267,14 @@ constexpr auto view_examples = R"(Examples:
   regista view match.mcap --at 7:42 -o frame.svg
   regista view match.mcap --at 462.3 --robot away/5 -o frame.svg
   regista view match.mcap --at 2/3:10 --robot 3 -o frame.svg
-  regista view match.mcap --at 7:42 --robot 3 --layer cells -o cells.svg
+  regista view match.mcap --at 7:42 --robot 3 --layer trail -o trail.svg
 
 The page needs nothing but a browser. --row shows a match of a study: it uses the recording of that match, or plays it
 again, and writes the page NAME.replays/ROW.html beside the results NAME.db. --at 7:42, or 462 (seconds), is the time since the match began, as under the field
 of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
 shows the world as the robot believed it, its tasks, the utilities it chose by, and what its plugins drew and logged.
---layer cells, or --layer "voronoi: cells" (plugin and layer), leaves out all other drawings.
+--layer trail, or --layer "my_walk: trail" (plugin and layer), leaves out all other drawings. Plugins draw layers for
+those who write them; the shipped ones draw none.
 
 Exit codes: 0 done; 1 the page could not be written, or the match of --row came out otherwise; 2 bad input; 3 a defect
 of Regista; 130 interrupted.)";
