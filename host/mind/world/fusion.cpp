@@ -3,14 +3,19 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 namespace regista::mind {
 namespace {
+
+// Largest number of sources: own camera, each robot's packets.
+constexpr std::size_t most_sources = 32;
 
 // Two tracks that are closer together than this distance (m) count as one object (B-Human: 1.1 m).
 constexpr double one_object = 1.1;
@@ -118,8 +123,8 @@ bool agree(const Weighed& a, const Weighed& b) {
   return yy * dx * dx - 2.0 * xy * dx * dy + xx * dy * dy <= gate * (xx * yy - xy * xy);
 }
 
-// Largest number of sources (own camera, each robot's packets): a cluster has one bit of a word for each source.
-constexpr std::size_t most_sources = 32;
+constexpr double furthest_pair = 2.0;  // m; two estimates of one opponent are nearer
+constexpr double near_place = 1.0;     // m; an opponent is where it is believed to be, for all purposes of play
 
 // Returns a label that is unique over all sources, if the tracks' labels are below 2^27.
 std::int32_t label_of(const Estimate& estimate) {
@@ -286,48 +291,74 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   return ball;
 }
 
+void OpponentFusion::add(Cluster& cluster, const Estimate& estimate) {
+  const regista_track& track = *estimate.track;
+  // Niehsen's weights of isotropic covariances are proportional to 1/trace; those of the fused mean, to 1/trace^2.
+  const double trace = position_trace(track), information = 1.0 / trace;
+  cluster.weighted_sum += information * information * Vector2d(track.x, track.y);
+  cluster.information += information;
+  cluster.information2 += information * information;
+  cluster.position = cluster.weighted_sum / cluster.information2;
+  // The covariance intersection has the trace sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
+  cluster.trace = cluster.information / cluster.information2;
+  cluster.missing *= 1.0 - track.weight;
+  cluster.age = std::min(cluster.age, track.age);
+  cluster.source = estimate.source;
+  if (trace < cluster.best_trace) {
+    cluster.best_trace = trace;
+    cluster.velocity = {track.vx, track.vy};
+    cluster.label = label_of(estimate);
+  }
+}
+
+void OpponentFusion::associate(std::span<const Estimate> of_one_source) {
+  pairs_.clear();
+  for (std::size_t i = 0; i < of_one_source.size(); ++i) {
+    const regista_track& track = *of_one_source[i].track;
+    const Vector2d position(track.x, track.y);
+    const double trace = position_trace(track);
+    for (std::size_t j = 0; j < clusters_.size(); ++j) {
+      const double squared = (clusters_[j].position - position).squaredNorm();
+      const double variance = 0.5 * (trace + clusters_[j].trace);
+      if (squared <= std::min(furthest_pair * furthest_pair, gate * variance)) {
+        pairs_.push_back({squared / variance, i, j});
+      }
+    }
+  }
+  std::ranges::sort(pairs_, {},
+                    [](const Pair& each) { return std::tuple(each.distance, each.estimate, each.cluster); });
+  std::uint64_t placed = 0;  // one bit for each estimate; a predictor has at most 64 tracks
+  for (const Pair& pair : pairs_) {
+    Cluster& cluster = clusters_[pair.cluster];
+    const Estimate& estimate = of_one_source[pair.estimate];
+    if ((placed >> pair.estimate & 1u) != 0 || cluster.source == estimate.source) continue;
+    placed |= std::uint64_t{1} << pair.estimate;
+    add(cluster, estimate);
+  }
+  for (std::size_t i = 0; i < of_one_source.size(); ++i) {
+    if ((placed >> i & 1u) != 0) continue;
+    Cluster& fresh = clusters_.emplace_back();
+    fresh.weighted_sum = Vector2d::Zero();
+    fresh.age = fresh.best_trace = std::numeric_limits<double>::infinity();
+    add(fresh, of_one_source[i]);
+  }
+}
+
 void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without) {
   clusters_.clear();
   out.reserve(most_);
-  for (const Estimate& estimate : estimates) {
-    if (estimate.source == without) continue;
-    const regista_track& track = *estimate.track;
-    const Vector2d position(track.x, track.y);
-    const std::uint32_t source = 1u << estimate.source;
-    // The loop selects without a branch, because a processor could not predict the branch.
-    Cluster* nearest = nullptr;
-    double nearest2 = merge_distance_ * merge_distance_;
-    for (Cluster& cluster : clusters_) {
-      const double d2 = (cluster.position - position).squaredNorm();
-      // Two tracks of the same source are two objects, so they must not be in one cluster.
-      const bool nearer = (d2 < nearest2) & ((cluster.sources & source) == 0);
-      nearest = nearer ? &cluster : nearest;
-      nearest2 = nearer ? d2 : nearest2;
-    }
-    const double trace = position_trace(track);
-    if (nearest == nullptr) {
-      nearest = &clusters_.emplace_back();
-      nearest->weighted_sum = Vector2d::Zero();
-      nearest->age = track.age;
-      nearest->best_trace = std::numeric_limits<double>::infinity();
-    }
-    // Niehsen's weights of isotropic covariances are proportional to 1/trace; those of the fused mean, to 1/trace^2.
-    const double information = 1.0 / trace;
-    nearest->weighted_sum += information * information * position;
-    nearest->information += information;
-    nearest->information2 += information * information;
-    nearest->position = nearest->weighted_sum / nearest->information2;
-    nearest->missing *= 1.0 - track.weight;
-    nearest->age = std::min(nearest->age, track.age);
-    nearest->sources |= source;
-    if (trace < nearest->best_trace) {
-      nearest->best_trace = trace;
-      nearest->velocity = {track.vx, track.vy};
-      nearest->label = label_of(estimate);
-    }
+  for (std::size_t begin = 0; begin < estimates.size();) {
+    const int source = estimates[begin].source;
+    std::size_t end = begin;
+    while (end < estimates.size() && estimates[end].source == source) ++end;
+    if (source != without) associate(estimates.subspan(begin, end - begin));
+    begin = end;
+  }
+  for (Cluster& each : clusters_) {
+    each.likelihood = (1.0 - each.missing) * -std::expm1(-near_place * near_place / each.trace);
   }
   std::sort(clusters_.begin(), clusters_.end(), [](const Cluster& a, const Cluster& b) {
-    if (a.missing != b.missing) return a.missing < b.missing;
+    if (a.likelihood != b.likelihood) return a.likelihood > b.likelihood;
     return a.age != b.age ? a.age < b.age : a.label < b.label;
   });
   if (clusters_.size() > most_) clusters_.resize(most_);
@@ -341,9 +372,7 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     opponent.position[1] = cluster.position.y();
     opponent.velocity[0] = cluster.velocity.x();
     opponent.velocity[1] = cluster.velocity.y();
-    // The covariance intersection has the trace sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
-    const double variance = 0.5 * cluster.information / cluster.information2;
-    opponent.covariance[0] = opponent.covariance[2] = variance;
+    opponent.covariance[0] = opponent.covariance[2] = 0.5 * cluster.trace;
     opponent.weight = std::clamp(1.0 - cluster.missing, 1e-3, 1.0);
     opponent.age = cluster.age;
   }

@@ -47,9 +47,6 @@ void set_velocity(regista_track& track, const Vector2d& velocity) {
   track.vy = velocity.y();
 }
 
-// Obstacles of two sources that are closer together than this distance (m) are one object (B-Human's release: 1.1 m).
-constexpr double merge_distance = 1.1;
-
 // An estimate without a sighting for this time (s) is dropped: the ball may then be anywhere on the field.
 constexpr double ball_forgotten_after = 30.0;
 
@@ -288,7 +285,7 @@ WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, T
       mine_(plan.rules().team_size),
       common_(plan.rules().team_size),
       negative_(plan.rules().team_size),
-      fusion_(merge_distance, static_cast<std::size_t>(plan.rules().team_size)) {
+      fusion_(static_cast<std::size_t>(plan.rules().team_size)) {
   estimates_.reserve(256);
   seen_teammates_.reserve(static_cast<std::size_t>(plan.rules().team_size));
 }

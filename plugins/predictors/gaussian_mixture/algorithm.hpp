@@ -2,9 +2,12 @@
 // Opponents as a Gaussian mixture: predict, match, merge, prune. Each component is one robot that may be there: place
 // and velocity by a Kalman filter, and the probability that it exists.
 //
-// Sources: Affinita et al. (the paper: a Gaussian mixture models the obstacles); merging within 1.1 m, forgetting
-// after 8 s and velocities of 0.1 to 0.4 m/s as SPL teams have them; moment-preserving merge: Runnalls, "Kullback-
-// Leibler approach to Gaussian mixture reduction" (IEEE Trans. AES 43, 2007), section IV.
+// Sources: Affinita et al. (the paper: a Gaussian mixture models the obstacles); velocities of 0.1 to 0.4 m/s as SPL
+// teams have them; moment-preserving merge: Runnalls, "Kullback-Leibler approach to Gaussian mixture reduction" (IEEE
+// Trans. AES 43, 2007), section IV.
+//
+// Opponents do not vanish, they walk out of sight. So only what surely was in view counts as missed, and two components
+// become one only where one robot stands. docs/predictors.md has what each of these rules is worth.
 //
 // Motion: each velocity component is an Ornstein-Uhlenbeck process (a random walk pulled back to zero) with the
 // standing deviation `speed` and the time constant `persistence`; over a longer time the place walks at random.
@@ -21,16 +24,16 @@
 namespace gaussian_mixture {
 
 struct Parameters {
-  double speed = 0.2;                  // m/s, standard deviation of each component of the velocity
-  double persistence = 1.0;            // s
-  double gate = 9.21034037;            // squared Mahalanobis distance
-  double merge_distance = 1.1;         // m
+  double speed = 0.13;                 // m/s, standard deviation of each component of the velocity
+  double persistence = 2.0;            // s
+  double gate = 13.8155106;            // squared Mahalanobis distance
+  double merge_distance = 0.2;         // m
   double detection_probability = 0.6;  // of a robot in the visible area
   double false_probability = 0.05;     // that a sighting at a component's place is false
   double birth_weight = 0.4;           // of a component at its first sighting
   double prune_weight = 0.05;          // components below it are dropped
-  double forget_after = 8.0;           // s unseen
-  double touching_distance = 0.3;      // m between the centres of two robots that touch
+  double forget_after = 60.0;          // s unseen
+  double body_radius = 0.15;           // m, of a robot that hides others
 };
 
 using planar::Sighting;
@@ -38,13 +41,26 @@ using planar::Sighting;
 // A sector of a disc, seen from `apex` along the unit vector `axis`.
 struct View {
   Eigen::Vector2d apex, axis;
-  double cosine;  // of half the opening angle
+  double cosine, sine;  // of half the opening angle, which is in [0, pi]
   double range;
 
-  bool holds(const Eigen::Vector2d& point) const {
+  // Whether the disc of this radius about the point lies inside.
+  bool holds(const Eigen::Vector2d& point, double radius = 0.0) const {
     const Eigen::Vector2d arm = point - apex;
-    const double squared = arm.squaredNorm();
-    return squared <= range * range && arm.dot(axis) >= cosine * std::sqrt(squared);
+    const double most = range - radius;
+    if (most < 0.0 || arm.squaredNorm() > most * most) return false;
+    const bool all_round = sine <= 0.0 && cosine < 0.0;
+    const double ahead = arm.dot(axis), aside = std::abs(axis.x() * arm.y() - axis.y() * arm.x());
+    return all_round || ahead * sine - aside * cosine >= radius;
+  }
+
+  // Whether a body of the radius `body`, with its centre at `before`, may hide what is within `radius` of the point.
+  bool may_hide(const Eigen::Vector2d& before, double body, const Eigen::Vector2d& point, double radius) const {
+    const Eigen::Vector2d arm = point - apex, nearer = before - apex;
+    const double distance = arm.norm(), along = nearer.dot(arm) / distance;
+    if (!(along > 0.0 && along < distance)) return false;
+    const double across = std::abs(nearer.x() * arm.y() - nearer.y() * arm.x()) / distance;
+    return across < body + radius * along / distance;
   }
 };
 
@@ -84,7 +100,7 @@ class Mixture {
     const double detected = parameters_.detection_probability, missed = 1.0 - detected;
     for (int i = 0; i < count_; ++i) {
       Component& each = components_[index(i)];
-      if (!each.seen && view.holds(each.state.position)) each.weight *= missed / (1.0 - each.weight * detected);
+      if (!each.seen && looked_at(each, view)) each.weight *= missed / (1.0 - each.weight * detected);
     }
     merge();
     drop([this](const Component& each) { return each.weight < parameters_.prune_weight; });
@@ -147,6 +163,16 @@ class Mixture {
     each.age += step.dt;
   }
 
+  // In view with all that one standard deviation covers, and behind nobody who is there more likely than not.
+  bool looked_at(const Component& one, const View& view) const {
+    const double deviation = std::sqrt(0.5 * one.state.position_covariance.trace());
+    if (!view.holds(one.state.position, deviation)) return false;
+    return std::none_of(begin(), end(), [&](const Component& other) {
+      return &other != &one && other.weight >= 0.5 &&
+             view.may_hide(other.state.position, parameters_.body_radius, one.state.position, deviation);
+    });
+  }
+
   void match(const Sighting& sighting) {
     Component* nearest = nullptr;
     double least = parameters_.gate;
@@ -198,14 +224,13 @@ class Mixture {
     fresh.seen = true;
   }
 
-  // Near ones become one, under the older label. Two that were seen at once are two, unless bodies cannot be so near.
+  // Near ones become one, under the older label. Two that were seen at once are two.
   void merge() {
+    const double limit = parameters_.merge_distance * parameters_.merge_distance;
     for (int i = 0; i < count_; ++i) {
       for (int j = i + 1; j < count_;) {
         Component &a = components_[index(i)], &b = components_[index(j)];
-        const double limit = a.seen && b.seen ? std::min(parameters_.touching_distance, parameters_.merge_distance)
-                                              : parameters_.merge_distance;
-        if ((a.state.position - b.state.position).squaredNorm() < limit * limit) {
+        if (!(a.seen && b.seen) && (a.state.position - b.state.position).squaredNorm() < limit) {
           combine(a, b);
           remove(j);
           j = i + 1;  // the merged one has moved

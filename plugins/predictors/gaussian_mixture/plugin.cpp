@@ -11,7 +11,7 @@ using gaussian_mixture::Component;
 using gaussian_mixture::Parameters;
 
 struct GaussianMixture {
-  static constexpr auto id = "gaussian_mixture", version = "1.0.0",
+  static constexpr auto id = "gaussian_mixture", version = "1.1.0",
                         summary = "Opponents: a Gaussian mixture; predict, match, merge, prune";
   static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_OPPONENTS;
@@ -20,19 +20,21 @@ struct GaussianMixture {
   static constexpr std::tuple parameters{regista::within(
       &GaussianMixture::settings,
       regista::real("speed", &Parameters::speed, {0.02, 10.0}, "m/s",
-                    "Standard deviation of each component of an opponent's velocity; SPL teams have 0.1 to 0.4")
+                    "Standard deviation of each component of an opponent's velocity; fitted to NAOs in matches; SPL "
+                    "teams have 0.1 to 0.4")
           .tunable()
           .log_scale(),
       regista::real("persistence", &Parameters::persistence, {0.1, 20.0}, "s",
-                    "Time constant with which an opponent's velocity is forgotten; assumption: a few steps of the walk")
+                    "Time constant with which an opponent's velocity is forgotten; fitted to NAOs in matches")
           .tunable()
           .log_scale(),
       regista::real("gate", &Parameters::gate, {1.0, 30.0}, "1",
-                    "Largest squared Mahalanobis distance of a sighting to a component; 9.21 is the 0.99 quantile of "
+                    "Largest squared Mahalanobis distance of a sighting to a component; 13.8 is the 0.999 quantile of "
                     "chi-square with 2 degrees of freedom")
           .tunable(),
       regista::real("merge_distance", &Parameters::merge_distance, {0.0, 2.0}, "m",
-                    "Components nearer than this become one, unless both were just seen; 1.1 as SPL teams have it")
+                    "Components nearer than this become one, unless both were just seen; our choice; SPL teams have "
+                    "1.1")
           .tunable(),
       regista::real("detection_probability", &Parameters::detection_probability, {0.05, 0.99}, "1",
                     "Probability that a robot in the visible area is seen; 0.6 up to 4 m by SPL detectors")
@@ -49,11 +51,11 @@ struct GaussianMixture {
           .tunable()
           .log_scale(),
       regista::real("forget_after", &Parameters::forget_after, {0.5, 60.0}, "s",
-                    "A component unseen for longer is dropped; 8 as SPL teams have it")
+                    "A component unseen for longer is dropped; our choice, see docs/predictors.md; SPL teams have 8")
           .tunable())};
 
   void setup(const regista::Environment& environment) {
-    settings.touching_distance = 2.0 * environment->robot_radius;
+    settings.body_radius = environment->robot_radius;
     mixture = gaussian_mixture::Mixture(settings);
   }
 
@@ -62,10 +64,12 @@ struct GaussianMixture {
   void predict(double dt, const regista::Motion*, const regista::Frame*) { mixture.predict(dt); }
 
   void correct(regista::Span<regista::Measurement> measurements, const regista::VisibleArea& area) {
+    const double half = std::min(area.half_angle, pi);
     mixture.correct(image.read(measurements, REGISTA_MEASURED_ROBOT, smallest_variance),
                     {{area.x, area.y},
                      {std::cos(area.heading), std::sin(area.heading)},
-                     std::cos(std::min(area.half_angle, pi)),
+                     std::cos(half),
+                     half < pi ? std::sin(half) : 0.0,
                      area.range_robot});
   }
 

@@ -289,8 +289,9 @@ Told opponent(double x, double y, double variance, int source, int label, double
   return out;
 }
 
-std::vector<regista_opponent> fused(const std::vector<Told>& estimates, std::size_t most = 7) {
-  OpponentFusion fusion(1.1, most);
+std::vector<regista_opponent> fused(std::vector<Told> estimates, std::size_t most = 7) {
+  std::ranges::stable_sort(estimates, {}, &Told::source);
+  OpponentFusion fusion(most);
   std::vector<regista_opponent> out;
   fusion.fuse(views(estimates), out);
   return out;
@@ -298,12 +299,12 @@ std::vector<regista_opponent> fused(const std::vector<Told>& estimates, std::siz
 
 TEST(OpponentFusion, NothingIsNobody) { EXPECT_TRUE(fused({}).empty()); }
 
-// Variances 0.02 and 0.06 at 0 and 1: traces 0.04 and 0.12, weights 3/4 and 1/4, information 37.5 + 4.1666 per m^2,
-// mean (4.1666 / 41.6666) = 0.1, variance 0.024. Missing: 0.5 * 0.2.
+// Variances 0.02 and 0.06 at 0 and 0.8: traces 0.04 and 0.12, squared Mahalanobis distance 0.64 / 0.08 = 8. Weights 3/4
+// and 1/4, information 625 + 69.44 per m^4, mean 0.8 * 69.44 / 694.4 = 0.08, variance 0.024. Missing: 0.5 * 0.2.
 TEST(OpponentFusion, MergesTwoSourcesByHand) {
-  const auto out = fused({opponent(0, 2, 0.02, 1, 1, 0.5, 3.0), opponent(1, 2, 0.06, 2, 1, 0.8, 1.0)});
+  const auto out = fused({opponent(0, 2, 0.02, 1, 1, 0.5, 3.0), opponent(0.8, 2, 0.06, 2, 1, 0.8, 1.0)});
   ASSERT_EQ(out.size(), 1u);
-  EXPECT_NEAR(out[0].position[0], 0.1, 1e-12);
+  EXPECT_NEAR(out[0].position[0], 0.08, 1e-12);
   EXPECT_NEAR(out[0].position[1], 2.0, 1e-12);
   EXPECT_NEAR(out[0].covariance[0], 0.024, 1e-12);
   EXPECT_NEAR(out[0].covariance[2], 0.024, 1e-12);
@@ -311,9 +312,29 @@ TEST(OpponentFusion, MergesTwoSourcesByHand) {
   EXPECT_DOUBLE_EQ(out[0].age, 1.0);
 }
 
-TEST(OpponentFusion, MergesOnlyWithinTheDistance) {
-  EXPECT_EQ(fused({opponent(0, 0, 0.04, 1, 1), opponent(1.09, 0, 0.04, 2, 1)}).size(), 1u);
-  EXPECT_EQ(fused({opponent(0, 0, 0.04, 1, 1), opponent(1.11, 0, 0.04, 2, 1)}).size(), 2u);
+// 9.21 * 0.02 = 0.429^2; and 2 m, however little is known.
+TEST(OpponentFusion, MergesWhatTheCovariancesAllow) {
+  EXPECT_EQ(fused({opponent(0, 0, 0.01, 1, 1), opponent(0.42, 0, 0.01, 2, 1)}).size(), 1u);
+  EXPECT_EQ(fused({opponent(0, 0, 0.01, 1, 1), opponent(0.44, 0, 0.01, 2, 1)}).size(), 2u);
+  EXPECT_EQ(fused({opponent(0, 0, 0.01, 1, 1), opponent(1.99, 0, 4.0, 2, 1)}).size(), 1u);
+  EXPECT_EQ(fused({opponent(0, 0, 0.01, 1, 1), opponent(2.01, 0, 4.0, 2, 1)}).size(), 2u);
+}
+
+// The second source's first estimate could be the robot at 0, too; but its second one is nearer.
+TEST(OpponentFusion, TheNearestPairComesFirst) {
+  const auto out = fused({opponent(0, 0, 0.01, 1, 1), opponent(1.2, 0, 0.5, 2, 1), opponent(0.3, 0, 0.5, 2, 2)});
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_LT(out[0].position[0], 0.01);
+  EXPECT_DOUBLE_EQ(out[1].position[0], 1.2);
+}
+
+// Where three are known and two can play, an old place with a larger weight gives way to a fresh one.
+TEST(OpponentFusion, TheLeastSurePlaceGivesWay) {
+  const auto out =
+      fused({opponent(0, 0, 0.01, 1, 1, 0.9), opponent(3, 0, 3.0, 1, 2, 0.99), opponent(6, 0, 0.01, 1, 3, 0.8)}, 2);
+  ASSERT_EQ(out.size(), 2u);
+  EXPECT_DOUBLE_EQ(out[0].position[0], 0.0);
+  EXPECT_DOUBLE_EQ(out[1].position[0], 6.0);
 }
 
 TEST(OpponentFusion, NeverMergesTwoTracksOfOneSource) {
@@ -353,6 +374,11 @@ TEST(OpponentFusion, LabelsAreUniqueHoweverFarPredictorsCount) {
 
 // Opponents far apart, each seen by a random subset of robots: clusters are known beforehand, means computed directly,
 // and no order of the estimates changes them.
+// That there is an opponent within 1 m of its place; not where weights were clamped.
+double likelihood(const regista_opponent& each) {
+  return each.weight * (1.0 - std::exp(-1.0 / (2.0 * each.covariance[0])));
+}
+
 TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
   Dice dice(6);
   for (int round = 0; round < 200; ++round) {
@@ -367,7 +393,7 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
       Expected truth;
       for (int source = 0; source <= 7; ++source) {
         if (dice.integer(0, 1) == 0) continue;
-        const double x = cx + dice.real(-0.2, 0.2), y = cy + dice.real(-0.2, 0.2), variance = dice.real(0.01, 0.3);
+        const double x = cx + dice.real(-0.1, 0.1), y = cy + dice.real(-0.1, 0.1), variance = dice.real(0.01, 0.3);
         const double weight = dice.real(0.05, 0.95), age = dice.real(0, 4), information = 1.0 / (2.0 * variance);
         estimates.push_back(opponent(x, y, variance, source, k, weight, age));
         truth.x += information * information * x;
@@ -393,7 +419,7 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
       EXPECT_NEAR(each.weight, std::clamp(1.0 - truth.missing, 1e-3, 1.0), 1e-12);
       EXPECT_DOUBLE_EQ(each.age, truth.age);
     }
-    for (std::size_t i = 1; i < out.size(); ++i) EXPECT_GE(out[i - 1].weight, out[i].weight);
+    for (std::size_t i = 1; i < out.size(); ++i) EXPECT_GE(likelihood(out[i - 1]), likelihood(out[i]));
   }
 }
 
