@@ -162,6 +162,11 @@ StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const st
 }
 
 void StoreFile::refuse(const SQLite::Exception& error) const {
+  if (mode_ == StoreMode::read && error.getErrorCode() == SQLITE_CANTOPEN && std::filesystem::exists(name_ + "-wal")) {
+    throw StoreRefusal(fmt::format(
+        "{0}: its log {0}-wal can only be read where {0}-shm may be written; copy both to a folder that may be written",
+        name_));
+  }
   const std::string text = fmt::format("{}: {}", name_, reason(error));
   if (mode_ == StoreMode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
   if (mode_ == StoreMode::create) {  // this object created the file, which holds no results
