@@ -85,6 +85,7 @@ class StoreFile::Hold {
       throw StoreRefusal(fmt::format("cannot write results to {}: {}", file.string(), std::strerror(errno)));
     const std::error_code error = process::lock_file(file_.number, process::FileLock::exclusive);
     if (!error) return;
+    if (create && error != std::errc::operation_would_block) ::unlink(file.c_str());
     if (error == std::errc::operation_would_block)
       throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
     throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), error.message()));
