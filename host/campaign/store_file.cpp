@@ -85,6 +85,7 @@ class StoreFile::Hold {
       throw StoreRefusal(fmt::format("cannot write results to {}: {}", file.string(), std::strerror(errno)));
     const std::error_code error = process::lock_file(file_.number, process::FileLock::exclusive);
     if (!error) return;
+    if (create && error != std::errc::operation_would_block) ::unlink(file.c_str());
     if (error == std::errc::operation_would_block)
       throw StoreInUse(fmt::format("{} is in use by another process", file.string()));
     throw StoreRefusal(fmt::format("cannot lock {}: {}", file.string(), error.message()));
@@ -162,6 +163,11 @@ StoreFile::StoreFile(const std::filesystem::path& file, StoreMode mode, const st
 }
 
 void StoreFile::refuse(const SQLite::Exception& error) const {
+  if (mode_ == StoreMode::read && error.getErrorCode() == SQLITE_CANTOPEN && std::filesystem::exists(name_ + "-wal")) {
+    throw StoreRefusal(fmt::format(
+        "{0}: its log {0}-wal can only be read where {0}-shm may be written; copy both to a folder that may be written",
+        name_));
+  }
   const std::string text = fmt::format("{}: {}", name_, reason(error));
   if (mode_ == StoreMode::read || !is_of_the_disk(error)) throw StoreRefusal(text);
   if (mode_ == StoreMode::create) {  // this object created the file, which holds no results

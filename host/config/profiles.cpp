@@ -269,7 +269,7 @@ void check(const Robot& robot, const Rules& rules, const Node& document) {
   if (robot.body.reach < touching) {
     wrong({"body.reach", "body.radius"},
           "body.reach ({} m from the centre) ends before the ball of the rules '{}': torso and ball touch at {} m, so "
-          "it could never be kicked",
+          "it could never be kicked; --robot names another robot, such as --robot humanoid",
           robot.body.reach, rules.name, touching);
   }
   const FieldSize& field = rules.field;

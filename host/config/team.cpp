@@ -215,7 +215,7 @@ Context resolved(const ContextPage& written, const Node& document, const TeamDoc
 // which must not have this title.
 bool is_of_base(const Node& document) {
   const Location &title = document["title"].where(), &name = document["team"].where();
-  return title.file != name.file && !title.laid;
+  return title.file != name.file && !title.is_laid();
 }
 
 }  // namespace

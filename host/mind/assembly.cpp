@@ -21,8 +21,14 @@ Assembly::Assembly(const TeamPlan& plan, int number, std::uint64_t seed, Mailbox
 
 std::shared_ptr<plugin::Instance> Assembly::create(const Part& part, unsigned subject, int stream) {
   const regista_host* host = mailboxes_->open(&extensions_->open(*part.found, plan_->metrics_of(*part.found)));
-  auto instance = std::make_shared<plugin::Instance>(*part.found, part.parameters, plan_->environment(number_, subject),
-                                                     host, caller_);
+  std::shared_ptr<plugin::Instance> instance;
+  try {
+    instance = std::make_shared<plugin::Instance>(*part.found, part.parameters, plan_->environment(number_, subject),
+                                                  host, caller_);
+  } catch (plugin::Failure& failure) {
+    failure.used_at(part.use.where);
+    throw;
+  }
   parts_.push_back(&part);
   mailboxes_->connect(instance);
   // created_ gives every instance of a robot its own random stream.

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/errors.hpp"
 #include "plugin/answer_buffers.hpp"
 #include "plugin/call_inputs.hpp"
 #include "plugin/description.hpp"
@@ -100,12 +101,16 @@ class Failure : public std::runtime_error {
   const std::optional<Caller>& caller() const { return caller_; }
   const std::string& call() const { return call_; }        // name of the call, such as "assign"
   const std::string& message() const { return message_; }  // what went wrong, without plugin, robot and tick
+  // The plugin's use in a document; without a file if the plugin was created or the use is not known.
+  const config::Location& where() const { return where_; }
+  void used_at(config::Location where) { where_ = std::move(where); }
 
  private:
   std::string id_;
   std::filesystem::path file_;
   std::optional<Caller> caller_;
   std::string call_, message_;
+  config::Location where_;
 };
 
 }  // namespace regista::plugin

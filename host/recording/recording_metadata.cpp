@@ -115,7 +115,7 @@ std::optional<std::array<int, 2>> last_score(mcap::Reader& reader) {
   const mcap::Statistics* const statistics = reader.statistics();
   if (statistics == nullptr) return std::nullopt;
   const std::uint64_t end = statistics->last_time;
-  reader.select({.first_time = end - std::min(end, last_stretch), .topics = {"/game", "/event"}});
+  reader.select({.first_time = end - std::min(end, last_stretch), .topics = {"/game", "/event"}, .by_time = true});
   std::string last;
   for (mcap::Message message; reader.next(message);) last = message.data;
   if (last.empty()) return std::nullopt;
@@ -195,7 +195,7 @@ bool is_recording_of(const std::filesystem::path& recording, const RecordingIden
 
 std::optional<double> first_goal(const std::filesystem::path& recording) {
   mcap::Reader reader(recording);
-  reader.select({.topics = {"/event"}});
+  reader.select({.topics = {"/event"}, .by_time = true});
   for (mcap::Message message; reader.next(message);) {
     const auto event = nlohmann::json::parse(message.data, nullptr, false);
     if (!event.is_object() || event.value("event", "") != match::word(match::EventKind::goal)) continue;

@@ -150,6 +150,7 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
   const std::size_t teams = plan.teams.size();
   std::vector<Ranked> out(teams);
   statistics::SquareTable payoff(teams);
+  std::size_t met = 0;
   for (std::size_t team = 0; team < teams; ++team) {
     out[team].team = team;
     out[team].failures = course.forfeits().of_team()[team];
@@ -157,7 +158,10 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
   for (const study::Meeting& meeting : course.meetings()) {
     const std::size_t a = meeting.pairing.first, b = meeting.pairing.second;
     const double games = static_cast<double>(total(meeting.games)), of_a = points(meeting.games);
-    if (games > 0.0) payoff.at(a, b) = of_a / games - 0.5;
+    if (games > 0.0) {
+      payoff.at(a, b) = of_a / games - 0.5;
+      ++met;
+    }
     payoff.at(b, a) = -payoff.at(a, b);
     for (const std::size_t side : {0u, 1u}) {
       Ranked& team = out[side == 0 ? a : b];
@@ -173,8 +177,10 @@ std::vector<Ranked> ranking(const study::TournamentPlan& plan, const study::Tour
   if (const auto elo = statistics::bradley_terry(teams, encounters(course))) {
     for (Ranked& team : out) team.elo = (*elo)[team.team];
   }
-  const statistics::NashAverage nash = statistics::nash_average(payoff);
-  for (Ranked& team : out) team.nash = nash.share[team.team];
+  if (met == teams * (teams - 1) / 2) {
+    const statistics::NashAverage nash = statistics::nash_average(payoff);
+    for (Ranked& team : out) team.nash = nash.share[team.team];
+  }
   const auto share = [](const Ranked& team) {
     return team.matches == 0 ? 0.5 : team.points / static_cast<double>(team.matches);
   };

@@ -37,7 +37,7 @@ bool is_of_fixed_number(const study::TournamentPlan& plan, const study::Tourname
 struct Ranked {
   std::size_t team = 0;
   std::optional<statistics::Estimate> elo;  // Bradley-Terry; missing if the results do not determine the strengths
-  double nash = 0.0;                        // share of the team in the equilibrium (Nash averaging)
+  std::optional<double> nash;  // share of the team in the equilibrium (Nash averaging); missing until all have met
   double points = 0.0;
   std::uint64_t matches = 0, wins = 0, draws = 0, losses = 0, scored = 0, conceded = 0, failures = 0;
 };

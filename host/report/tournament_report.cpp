@@ -419,7 +419,7 @@ Json tournament_data(const TournamentView& view) {
       ranks.push_back({{"team", view.label(team.team)},
                        {"elo", team.elo ? Json(team.elo->value) : Json(nullptr)},
                        {"elo_interval", team.elo ? json_of(team.elo->interval) : Json(nullptr)},
-                       {"nash", team.nash},
+                       {"nash", team.nash ? Json(*team.nash) : Json(nullptr)},
                        {"points", team.points},
                        {"games", team.matches},
                        {"goals", {team.scored, team.conceded}}});

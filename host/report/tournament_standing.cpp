@@ -28,13 +28,13 @@ Sentence who_of(const TournamentView& view, const Meeting& meeting, const char* 
   return named(view.shown(meeting.pairing.first)) << between << named(view.shown(meeting.pairing.second));
 }
 
-// Where most teams never meet, a table of all against all and an equilibrium make no sense.
+// Where most teams never meet, a table of all against all makes no sense.
 bool all_meet(const TournamentView& view) { return view.plan.asked.format == config::Tournament::Format::round_robin; }
 
 Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
   const bool several = view.plan.teams.size() > 2;
   std::vector<Heading> headings{{"Team", Column::words}};
-  const bool with_nash = all_meet(view);
+  const bool with_nash = ranks.front().nash.has_value();
   if (several) headings = {{"Rank"}, {"Team", Column::words}, {"Elo"}};
   if (several && with_nash) headings.push_back({"Nash share"});
   for (const char* each : {"Matches", "Won", "Drawn", "Lost", "Points", "Goals", "Forfeits"})
@@ -50,7 +50,7 @@ Table teams_table(const TournamentView& view, std::vector<Ranked> ranks) {
                : each.elo->interval.bounded()
                    ? fmt::format("{} ± {:.1f}", with_sign(each.elo->value, 1), each.elo->margin())
                    : with_sign(each.elo->value, 1)};
-      if (with_nash) cells.emplace_back(fixed(each.nash, 2));
+      if (with_nash) cells.emplace_back(fixed(*each.nash, 2));
     } else {
       cells.push_back(Sentence(Sentence::Kind::mark, each.team == 0 ? "first" : "second")
                       << named(view.shown(each.team)));
@@ -283,7 +283,9 @@ Section standing_section(const TournamentView& view) {
           "fewer than 10 of its pairs were uneven, or if it won or lost all. {}Goals: mean of the pairs, with the 95 % "
           "interval of Student's t for that pairing alone. p: exact sign flips of the pairs' goal differences, "
           "corrected by Holm for the number of pairings.",
-          !all_meet(view) ? "" : "Nash share: probability of the team in the Nash equilibrium. "),
+          !ranking(view.plan, view.course).front().nash
+              ? ""
+              : "Nash share: probability of the team in the Nash equilibrium. "),
       Readers::page);
   return out;
 }

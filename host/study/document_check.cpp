@@ -193,7 +193,8 @@ DocumentCheck check_document(const std::string& file, const Profiles& played_by,
   } catch (const config::BadInput& error) {
     others.push_back({{file}, error.what(), error.what()});
   } catch (const plugin::Failure& failure) {
-    others.push_back({{file}, failure.what(), fmt::format("{}: {}", file, failure.what())});
+    const config::Location where = failure.where().file.empty() ? config::Location{file} : failure.where();
+    others.push_back({where, failure.what(), fmt::format("{}: {}", config::to_string(where), failure.what())});
   }
   for (const config::Error& each : mistakes.in_order(file))
     out.mistakes.push_back({each.where(), each.message(), each.what()});

@@ -49,10 +49,11 @@ Table::Table(const std::filesystem::path& file, Progress progress)
 
 bool Table::has_column(std::string_view name) const { return std::ranges::find(columns_, name) != columns_.end(); }
 
-std::size_t Table::column(std::string_view name) const {
+std::size_t Table::column(std::string_view name, std::string_view layout) const {
   const auto found = std::ranges::find(columns_, name);
   if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
-  throw config::Error({name_, 1, 1}, texts::unknown("column", name, "this file", columns_));
+  const std::string message = texts::unknown("column", name, "this file", columns_);
+  throw config::Error({name_, 1, 1}, layout.empty() ? message : fmt::format("{}; {}", message, layout));
 }
 
 bool Table::next() {

@@ -38,7 +38,7 @@ class Table {
   Table& operator=(const Table&) = delete;
 
   // The index of a column. Throws if the first line does not name the column.
-  std::size_t column(std::string_view name) const;
+  std::size_t column(std::string_view name, std::string_view layout = {}) const;
   bool has_column(std::string_view name) const;
   std::span<const std::string> columns() const { return columns_; }  // in the order of the first line
 

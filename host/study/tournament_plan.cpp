@@ -73,12 +73,12 @@ std::string told_apart(const TournamentPlan& plan, std::size_t team) {
 }
 
 // A team's label is its name. If teams share a name, their file follows, or their letter if they also share the file.
-// If teams share a title, their labels follow it.
+// A title that is also another team's title, or name without a title, is followed by the label.
 void label_teams(TournamentPlan& plan) {
   std::map<std::string, int> names, titles;
   for (const Entrant& team : plan.teams) {
     ++names[team.label];
-    ++titles[team.title];
+    ++titles[team.shown()];
   }
   for (std::size_t i = 0; i < plan.teams.size(); ++i) {
     Entrant& team = plan.teams[i];

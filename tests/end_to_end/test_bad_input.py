@@ -129,7 +129,8 @@ class UnplayableRules(BadInput):
                 ("team_size: 0\n", "rules.yaml:2:", "team_size"),
                 ("messages:\n  budget: -5\n", "rules.yaml:3:", "budget"),
                 ("field:\n  goal_width: 7\n", "rules.yaml:3:", "wider than the field"),
-                ("ball:\n  diameter: 0.3\n", "regista: built-in robot nao", "could never be kicked"),
+                ("ball:\n  diameter: 0.3\n", "regista: built-in robot nao", "could never be kicked; --robot names another robot, such as "
+                 "--robot humanoid\n"),
                 ("penalties: {removal: .nan}\n", "rules.yaml:2:", "removal")):
             with self.subTest(text):
                 said = self.refusal(text)

@@ -143,6 +143,30 @@ class Notice(tournament.Tournament):
         self.run_program(*self.arguments("--quiet", "--minutes", "0.0001", "--results", "none.db", "--notify", self.NOTE, pairs=500))
         self.assertEqual(self.note()[0], "stopped")
 
+    def test_a_study_that_fails(self):
+        """Something writes into the file of results while it is played."""
+        results = self.folder / "r.db"
+        with self.start(*self.arguments("--quiet", "--results", "r.db", "--notify", self.NOTE, pairs=5000),
+                        stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as process:
+            self.wait_for(lambda: self.count("r.db") >= 2)
+            results.rename(self.folder / "moved.db")
+            error = process.communicate(timeout=program.PATIENCE)[1]
+        self.assertEqual(process.returncode, 1, error)
+        status, message, file = self.note()
+        self.assertEqual((status, file), ("failed", str(results)))
+        self.assertIn(f"regista: {message}", " ".join(error.split()))
+
+    def test_a_study_that_is_interrupted(self):
+        with self.start(*self.arguments("--quiet", "--results", "r.db", "--notify", self.NOTE, pairs=5000),
+                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
+            self.wait_for(lambda: self.count("r.db") >= 2)
+            process.send_signal(signal.SIGINT)
+            process.wait(timeout=program.PATIENCE)
+        self.assertEqual(process.returncode, 130)
+        status, message, file = self.note()
+        self.assertEqual((status, file), ("stopped", str(self.folder / "r.db")))
+        self.assertNotEqual(message, "")
+
     def test_a_command_that_fails_changes_no_status(self):
         done = self.run_program(*self.arguments("--quiet", "--results", "r.db", "--notify", "exit 3"))
         self.assertEqual((done.returncode, done.stderr), (0, "regista: the command of --notify failed: exit 3\n"))

@@ -210,5 +210,26 @@ class Config(program.Case):
         self.assertIn("first_free", self.succeed("config", "schema", "team"))
 
 
+class PluginThatRefusesItsFile(program.Case):
+    plugins = (*program.Case.plugins, program.TEST_PLUGINS.parent / "plugins" / "delaunay_formation.so")
+
+    def test_its_use_is_named(self):
+        uses = "positioner: {plugin: delaunay_formation, params: {file: f.conf}}"
+        base = program.TEAM.format(name="base").replace("positioner: {plugin: at_the_ball}", uses)
+        line = base[:base.index(uses)].count("\n") + 1
+        self.write("base.yaml", base)
+        self.write("team.yaml", "extends: base.yaml\nteam: team\n")
+        self.write("f.conf", '{"method": "Static", "data": [],\n "data": []}')
+        end = rf"create: formation: line 2, column 2: \"data\" is given twice; file: {self.folder}/f\.conf"
+        for file in ("base.yaml", "team.yaml"):
+            told = self.refused("config", "check", file)
+            self.assertRegex(told, rf"^base\.yaml:{line}:13: plugin delaunay_formation \([^)]+\) of team \w+, robot 1, "
+                                   rf"tick 0: {end}$")
+            done = self.run_program("config", "check", file, "--json")
+            mistake, = json.loads(done.stdout)["documents"][0]["mistakes"]
+            self.assertEqual((mistake["file"], mistake["line"], mistake["column"]), ("base.yaml", line, 13))
+            self.assertRegex(mistake["message"], rf"^plugin delaunay_formation .*{end}$")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -77,6 +77,15 @@ class Match(program.Case):
                       f"{reasons['period']} period\n", page)
         self.assertIn("after 1.0 s, before the first kick-off\n", self.succeed("match", "small.yaml", "small.yaml", "--limit", "1"))
 
+    def test_the_summary_has_titles_and_json_names(self):
+        titles = ("--set", "a.title=The First, e.V.", "--set", "b.title=Second")
+        score = self.play(*titles)["score"]
+        self.assertEqual(self.play(*titles)["teams"], ["small", "small"])
+        page = self.succeed(*SHORT, *titles)
+        self.assertIn(f"\nThe First, e.V. {score[0]} : {score[1]} Second\n", page)
+        for heading in ("The First, e.V. (home)", "Second (away)"):
+            self.assertIn(f"\n{heading}\n", page)
+
     def test_shipped_profiles_are_the_built_in_values(self):
         configs = program.SOURCE / "configs"
         shipped = self.play("--rules", configs / "rules" / "spl2023.yaml", "--robot", configs / "robots" / "nao.yaml",

@@ -156,6 +156,38 @@ class Report(tournament.Tournament):
             value = value[name]
         return value is None
 
+    def titled(self, name, title):
+        text = (self.folder / "small.yaml").read_text()
+        self.write(f"{name}.yaml", text.replace("team: small\n", f"team: {name}\ntitle: {json.dumps(title)}\n"))
+        return f"{name}.yaml"
+
+    def test_people_read_titles_and_programs_names(self):
+        self.pages = True
+        teams = self.titled("first", "The First, e.V."), self.titled("second", "Team <2>")
+        text = self.play(teams=teams, pairs=1)
+        self.assertIn("The First, e.V. vs Team <2> ", text.splitlines()[0])
+        found = text[text.index("\nStanding\n"):]  # what was played names the files' words
+        self.assertIn("\nNot decided between The First, e.V. and Team <2>.", found)
+        self.assertNotRegex(found, r"\b(first|second)\b")
+        report = json.loads(self.succeed("report", "tournament.db", "--json"))
+        self.assertEqual([(team["name"], team["title"]) for team in report["teams"]],
+                         [("first", "The First, e.V."), ("second", "Team <2>")])
+        self.assertEqual(report["pairings"][0]["teams"], ["first", "second"])
+        self.assertEqual([(row["home"], row["away"]) for row in self.table()], [("first", "second"), ("second", "first")])
+        page = (self.folder / "tournament.html").read_text().replace("<wbr>", "")
+        self.assertRegex(page, "<title>[^<]*The First, e.V. vs Team &lt;2&gt; ")
+        self.assertIn('<h1 id="verdict">Not decided between <bdi>The First, e.V.</bdi> and <bdi>Team &lt;2&gt;</bdi>.', page)
+
+    def test_equal_titles_are_followed_by_the_names(self):
+        teams = self.titled("first", "Same"), self.titled("second", "Same"), "small.yaml", self.titled("third", "small")
+        report = self.report(teams=teams, pairs=1)
+        self.assertEqual([(team["name"], team["title"]) for team in report["teams"]],
+                         [("first", "Same (first)"), ("second", "Same (second)"), ("small", "small"),
+                          ("third", "small (third)")])
+        text = self.succeed("report", "tournament.db")
+        for shown in ("Same (first)", "Same (second)", "small", "small (third)"):
+            self.assertRegex(text, rf"(?m)^ +\d  {re.escape(shown)}  ")
+
     def test_a_table_of_names_with_commas_quotes_and_newlines(self):
         # Teams of the same name are told apart by their files.
         odd = 'odd,\n"quoted".yaml'

@@ -169,6 +169,28 @@ class ShippedTeams(program.ShippedCase):
             self.assertGreater(played["kicks"][0], 0, options)
             self.assertGreater(played["nearest_plays_ball"][0], 0.6, options)
 
+    WITH_A_SECOND_GOALKEEPER = ("paper", "regista", "league/b_human")
+
+    @unittest.skipIf(program.SANITIZED, "plays several matches, which sanitizers slow down to minutes")
+    def test_a_lone_robot_plays_the_ball(self):
+        for team in self.WITH_A_SECOND_GOALKEEPER:
+            file = TEAMS / f"{team}.yaml"
+            done = self.run_program("match", file, file, "--limit", "300", "--json", "--set", "rules.team_size=1")
+            self.assertEqual(done.returncode, 0, done.stderr)  # there are warnings of roles that nobody takes
+            self.assertGreater(min(json.loads(done.stdout)["kicks"]), 0, team)
+
+    @unittest.skipIf(program.SANITIZED, "plays several matches, which sanitizers slow down to minutes")
+    def test_another_robot_keeps_the_goal_while_the_first_is_out(self):
+        """Robot 1 crashes a minute after the beginning and stays so; once with a role for it alone."""
+        gone = ("--set", "a_disturbance.incidents=[{name: gone, kind: crash, at: 60, robots: [1]}]")
+        alone = "{goalkeeper: {robot: 1}}"
+        for team in self.WITH_A_SECOND_GOALKEEPER:
+            self.write("first.yaml", f"extends: {TEAMS / team}.yaml\nteam: first\nroles: {{playing: {alone}, searching: {alone}}}\n")
+            empty = [json.loads(self.succeed("match", file, TEAMS / "paper.yaml", "--limit", "400", "--json", *gone))
+                     ["goal_empty_seconds"][0] for file in (TEAMS / f"{team}.yaml", "first.yaml")]
+            self.assertLess(empty[0], 10, team)
+            self.assertGreater(empty[1], 40, team)
+
     def test_every_study_is_sound(self):
         """For experiments that means every arm at every value of the sweep."""
         files = sorted((TEAMS.parent / "studies").glob("*.yaml"))

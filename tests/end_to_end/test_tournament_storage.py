@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Tournaments whose results cannot be written: no room, no right to."""
 
+import contextlib
 import os
 import resource
 import shutil
+import sqlite3
 import subprocess
 import unittest
 
@@ -101,6 +103,26 @@ class NoRight(tournament.Tournament):
         self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
         self.assertRegex(done.stderr, r"^regista: .*closed/there\.db.*\n$")
         self.assertEqual(self.succeed("report", "closed/there.db", **self.who), self.text)
+
+    def test_a_log_beside_a_file_in_a_folder_that_may_not_be_written(self):
+        """As a copy of a study that is played has it: SQLite reads a log by an index, a file of its own."""
+        self.closed.chmod(0o755)
+        log = self.closed / "there.db-wal"
+        with contextlib.closing(sqlite3.connect(self.closed / "there.db")) as database:
+            database.execute("PRAGMA journal_mode=WAL")
+            database.execute("PRAGMA user_version=2")
+            database.commit()
+            log_bytes = log.read_bytes()
+        log.write_bytes(log_bytes)
+        self.closed.chmod(0o555)
+        self.assertEqual(sorted(file.name for file in self.closed.iterdir()), ["there.db", "there.db-wal"])
+        self.assertEqual(self.refused("report", "closed/there.db", **self.who),
+                         "closed/there.db: its log closed/there.db-wal can only be read where closed/there.db-shm may be "
+                         "written; copy both to a folder that may be written")
+        copy = self.folder / "copy"
+        shutil.copytree(self.closed, copy)
+        copy.chmod(0o777)
+        self.assertEqual(self.succeed("report", "copy/there.db", **self.who).replace("copy/", "closed/"), self.text)
 
     def test_a_file_that_may_not_be_read(self):
         (self.closed / "there.db").chmod(0o000)

@@ -167,6 +167,7 @@ class Formats(tournament.Tournament):
         self.assertEqual({rank["team"]: rank["points"] for rank in report["ranking"]}, points)
         self.assertEqual({rank["team"]: rank["goals"] for rank in report["ranking"]}, goals)
         self.assertEqual(report["ranking"][-1]["team"], "worse")
+        self.assertAlmostEqual(sum(rank["nash"] for rank in report["ranking"]), 1.0)
         elos = [rank["elo"] for rank in report["ranking"]]
         self.assertEqual(elos, sorted(elos, reverse=True))
         # Another command comes to the same ranking from the table.
@@ -189,6 +190,7 @@ class Formats(tournament.Tournament):
                 expected += [(pair, "small", other), (pair, other, "small")]
         self.assertEqual(self.labels(), expected)
         self.assertEqual((report["format"], len(report["pairings"])), ("gauntlet", 2))
+        self.assertEqual([rank["nash"] for rank in report["ranking"]], [None] * 3)
         changed = self.refused(*self.arguments("--resume", teams=THREE, pairs=2))
         self.assertIn("format: was gauntlet, now round_robin", changed)
 

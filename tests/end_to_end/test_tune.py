@@ -347,6 +347,24 @@ class BadInput(Tuning):
         self.document(algorithm="sbplx", search=", population: 8")
         self.assertIn("search.population: sbplx has none", self.refused(*self.arguments()))
 
+    def test_points_to_start_from(self):
+        for point, column, line in (
+                ("utility.terms.baering.weight: 0.5", 54,
+                 'unknown parameter "utility.terms.baering.weight" in search.start_from; nearest: '
+                 '"utility.terms.bearing.weight"; known: utility.terms.distance.weight, utility.terms.bearing.weight'),
+                ("utility.terms.persistence.weight: 0.5", 54,
+                 'unknown parameter "utility.terms.persistence.weight" in search.start_from; '),
+                ("utility.terms.bearing.weight: 1.5", 84,
+                 "search.start_from: utility.terms.bearing.weight: 1.5 is outside 0 to 1"),
+                ("utility.terms.bearing.weight: -0.1", 84,
+                 "search.start_from: utility.terms.bearing.weight: -0.1 is outside 0 to 1"),
+                ("utility.terms.bearing.weight: much", 84, 'search.start_from.0.utility.terms.bearing.weight: "much" is not a number')):
+            with self.subTest(point):
+                self.document(matches=40, search=f", start_from: [{{{point}}}]")
+                told = self.refused(*self.arguments())
+                self.assertTrue(told.startswith(f"t.yaml:11:{column}: {line}"), told)
+                self.assertFalse((self.folder / "trial.db").exists())
+
     def test_budgets(self):
         self.document(matches=4)
         self.assertRegex(self.refused(*self.arguments()),

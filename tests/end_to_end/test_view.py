@@ -189,6 +189,13 @@ class Pictures(View):
         for x, pose in zip(xs, poses):
             self.assertLessEqual(abs(x - xs[0] - scale * (pose[0] - poses[0][0])), 0.2 + 0.01 * abs(scale))
 
+    def test_shows_titles(self):
+        self.succeed(*MATCH, "--record", "titled.mcap", "--set", "a.title=The First, e.V.", "--set", "b.title=Second")
+        texts = self.texts(self.picture("--at", "15", "--robot", "3", file="titled.mcap"))
+        self.assertTrue(any(re.fullmatch(r"The First, e\.V\. \d+ : \d+ Second", text) for text in texts), texts)
+        self.assertTrue(any(text.startswith("The First, e.V. 3: ") for text in texts), texts)
+        self.assertFalse(any(text.startswith("small") for text in texts), texts)
+
     def test_moments(self):
         file = recorded.read(self.folder / "a.mcap")
         clocked = next(game for game in file.of("/game") if game["half"] == 1 and game["clock"] >= 5)

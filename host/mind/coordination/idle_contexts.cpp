@@ -251,8 +251,8 @@ SetPlayContexts contexts_of_set_plays(const TeamPlan& plan, Conditions& robot, i
       const auto open_play = in_force(REGISTA_SET_PLAY_NONE, REGISTA_PHASE_PLAYING, own_kick);
       for (int kind = 0; kind < REGISTA_SET_PLAY_PENALTY_KICK; ++kind) {
         for (std::size_t p = 0; p < phases.size(); ++p) {
-          if (!occurs(kind + 1, phases[p]) || out[static_cast<std::size_t>(kind)][p]) continue;
-          out[static_cast<std::size_t>(kind)][p] = in_force(kind + 1, phases[p], own_kick) != open_play;
+          bool& has_own = out[own_kick ? 1 : 0][static_cast<std::size_t>(kind)][p];
+          if (occurs(kind + 1, phases[p]) && !has_own) has_own = in_force(kind + 1, phases[p], own_kick) != open_play;
         }
       }
     }
@@ -343,17 +343,30 @@ std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const C
       "kick-off", "kick-in", "goal kick", "corner kick", "pushing free kick", "penalty kick"};
   constexpr std::array<const char*, phases.size()> phase_names{"Ready", "Set", "Playing"};
   for (std::size_t kind = 0; kind < set_plays.size(); ++kind) {
-    std::vector<std::string> missing;
-    for (std::size_t p = 0; p < phases.size(); ++p) {
-      const bool any = std::ranges::any_of(found.set_plays, [p](const auto& its) { return its[p]; });
-      if (any && occurs(static_cast<int>(kind) + 1, phases[p]) && !found.set_plays[kind][p])
-        missing.emplace_back(phase_names[p]);
+    std::array<std::vector<const char*>, 2> missing;
+    for (const std::size_t own : {0u, 1u}) {
+      for (std::size_t p = 0; p < phases.size(); ++p) {
+        const bool any = std::ranges::any_of(found.set_plays, [p](const auto& side) {
+          return std::ranges::any_of(side, [p](const auto& its) { return its[p]; });
+        });
+        if (any && occurs(static_cast<int>(kind) + 1, phases[p]) && !found.set_plays[own][kind][p])
+          missing[own].push_back(phase_names[p]);
+      }
     }
-    if (missing.empty()) continue;
-    out.push_back({contexts.front().where,
-                   fmt::format("contexts: none is for a {} in {}, though one is for another set play: robots act as in "
-                               "open play",
-                               set_plays[kind], fmt::join(missing, " and "))});
+    const auto warn = [&](const char* whose, const std::vector<const char*>& in) {
+      if (in.empty()) return;
+      out.push_back(
+          {contexts.front().where,
+           fmt::format("contexts: none is for a {}{} in {}, though one is for another set play: robots act as "
+                       "in open play",
+                       set_plays[kind], whose, fmt::join(in, " and "))});
+    };
+    if (missing[0] == missing[1]) {
+      warn("", missing[0]);
+    } else {
+      warn(" of this team", missing[1]);
+      warn(" of the opponent", missing[0]);
+    }
   }
   return out;
 }

@@ -63,8 +63,9 @@ struct ContextFinding {
   int covered_by = -1;  // index of the first earlier context that held in all scenes in which this one held; -1: none
 };
 
-// [set play, from the kick-off on][Ready, Set, Playing]: in some scene, another context is in force than in open play.
-using SetPlayContexts = std::array<std::array<bool, 3>, REGISTA_SET_PLAY_PENALTY_KICK>;
+// [of the opponent, of this team][set play, from the kick-off on][Ready, Set, Playing]: in some scene, another context
+// is in force than in open play.
+using SetPlayContexts = std::array<std::array<std::array<bool, 3>, REGISTA_SET_PLAY_PENALTY_KICK>, 2>;
 
 struct ContextFindings {
   int scenes = 0;
@@ -76,7 +77,7 @@ struct ContextFindings {
 ContextFindings idle_contexts(const TeamPlan& plan, plugin::CallTracing tracing = {});
 
 // Returns a warning for each idle context, in the order of the contexts, then a warning about scenes without a context,
-// then one for each set play without a context of its own in a phase in which another set play has one.
+// then one for each set play of a team without a context of its own in a phase in which another set play has one.
 std::vector<config::Warning> idle_context_warnings(const TeamPlan& plan, const ContextFindings& found);
 
 // --- Terms. A term that gives all robots the same number for a task adds it to a whole column of the utility matrix.

@@ -69,8 +69,9 @@ class Stretches {
 
 std::map<int, std::vector<PlayChange>> read_referee(const std::filesystem::path& file) {
   Table table(file);
-  const std::size_t state = table.column("state");
-  Stretches stretches(table, table.column("event"), table.column("t"));
+  constexpr std::string_view layout = "states of the referee have the columns event, t, state";
+  const std::size_t state = table.column("state", layout);
+  Stretches stretches(table, table.column("event", layout), table.column("t", layout));
   std::map<int, std::vector<PlayChange>> out;
   while (table.next()) {
     const auto [stretch, time] = stretches.of_line();
@@ -122,11 +123,13 @@ std::vector<Stretch> read_ssl(const std::filesystem::path& data, const std::file
                               const Progress& progress) {
   constexpr double millimetre = 1e-3, farthest = 100.0;  // m; no field is larger
   Table table(data, progress);
-  const std::size_t x = table.column("x_mm"), y = table.column("y_mm");
+  const std::string_view layout = robots ? "a recording of robots has the columns event, t, team, id, x_mm, y_mm"
+                                         : "a recording of the ball has the columns event, t, x_mm, y_mm";
+  const std::size_t x = table.column("x_mm", layout), y = table.column("y_mm", layout);
   if (!robots && table.has_column("team"))
     throw config::Error({data.string(), 1, 1}, "is a recording of robots; expected one of the ball");
-  const std::size_t team = robots ? table.column("team") : 0, id = robots ? table.column("id") : 0;
-  Stretches stretches(table, table.column("event"), table.column("t"));
+  const std::size_t team = robots ? table.column("team", layout) : 0, id = robots ? table.column("id", layout) : 0;
+  Stretches stretches(table, table.column("event", layout), table.column("t", layout));
   while (table.next()) {
     const auto [stretch, time] = stretches.of_line();
     const double px = coordinate(table, x, millimetre, farthest), py = coordinate(table, y, millimetre, farthest);

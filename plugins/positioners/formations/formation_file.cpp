@@ -5,9 +5,11 @@
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "formation_text.hpp"
 #include "role_list.hpp"
@@ -43,23 +45,26 @@ std::string place_in(std::string_view bytes, std::size_t offset) {
 
 // Where the text in quotes begins whose end the parser has just passed.
 std::string place_of_text(std::string_view bytes, std::size_t passed) {
-  return place_in(bytes, passed < 2 ? 0 : std::min(bytes.rfind('"', passed - 2), passed));
+  std::size_t begin = passed < 2 ? 0 : std::min(bytes.rfind('"', passed - 2), passed);
+  while (begin > 0 && bytes[begin - 1] == '\\') begin = bytes.rfind('"', begin - 1);  // a quote inside of the text
+  return place_in(bytes, begin);
 }
 
 json parsed(std::string_view bytes, std::string& method_place) {
   const char* reached = bytes.data();
   const auto passed = [&] { return static_cast<std::size_t>(reached - bytes.data()); };
-  bool is_method = false, has_method = false;
+  bool is_method = false;
+  std::vector<std::set<std::string>> keys;  // of the objects that the parser is in
   const auto look = [&](int depth, json::parse_event_t event, json& value) {
-    if (depth != 1) return true;
-    if (event == json::parse_event_t::value && is_method && value.is_string())
-      method_place = place_of_text(bytes, passed());
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
     if (event == json::parse_event_t::key) {
-      is_method = value == "method";
-      if (is_method && has_method) refuse(place_of_text(bytes, passed()) + ": \"method\" is given twice");
-      has_method = has_method || is_method;
-      if (is_method) method_place = place_of_text(bytes, passed());
+      if (const auto& key = value.get_ref<const std::string&>(); !keys.back().insert(key).second)
+        refuse(place_of_text(bytes, passed()) + ": \"" + key + "\" is given twice");
     }
+    if (depth != 1) return true;
+    if (event == json::parse_event_t::key) is_method = value == "method";
+    if (is_method && value.is_string()) method_place = place_of_text(bytes, passed());
     return true;
   };
   try {

@@ -195,13 +195,19 @@ TEST(FormationText, WhatIsReadOfOtherMethods) {
             "\"Formation\"");
 }
 
-TEST(FormationText, AMethodStandsOnce) {
+TEST(FormationText, AKeyStandsOnceInAnObject) {
   const std::string sound = json("Static", made_up(1, 1));
   EXPECT_EQ(refusal(sound), "read");
   EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ",\n \"method\": \"Static\", \"data\"")),
             "formation: line 2, column 2: \"method\" is given twice");
-  // Elsewhere it is of somebody else.
-  EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ", \"more\": {\"method\": 1, \"method\": 2}, \"data\"")), "read");
+  EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ", \"more\": [{\"method\": 1}, {\"method\": 2}], \"data\"")), "read");
+  EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ",\n \"more\": {\"a\": {\"b\": {}}, \"a\": 2}, \"data\"")),
+            "formation: line 2, column 27: \"a\" is given twice");
+  EXPECT_EQ(refusal(replaced(sound, ", \"data\"", ",\n \"\\\"\\\\\": 1, \"\\\"\\\\\": 2, \"data\"")),
+            "formation: line 2, column 13: \"\"\\\" is given twice");
+  const std::string ball = sound.substr(sound.find("\"ball\""), sound.find('}') + 1 - sound.find("\"ball\""));
+  EXPECT_EQ(refusal(replaced(sound, ball, ball + ",\n  " + ball)),
+            "formation: line 2, column 3: \"ball\" is given twice");
 }
 
 TEST(FormationText, ALinkThatGitWroteAsTextIsNamed) {

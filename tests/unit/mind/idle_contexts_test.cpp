@@ -86,12 +86,17 @@ TEST(IdleContexts, WhatHeedsMessagesMayHoldAtAnyTime) {
   EXPECT_EQ(warned({{"whole", 0, 1e6}, {"told", 0, 0, "rumour"}}), None{});
 }
 
-// The contexts of a set play: which of them, and the last phase, as numbers of the ABI.
-std::vector<std::string> warned_of_set_plays(const std::vector<std::array<int, 2>>& contexts) {
+// The context of a set play: which of them, the last phase and whose, as numbers of the ABI; -1: of both teams.
+struct OfSetPlay {
+  int set_play, last_phase, own_kick = -1;
+};
+
+std::vector<std::string> warned_of_set_plays(const std::vector<OfSetPlay>& contexts) {
   config::Team page = team_of(std::vector<Condition>(contexts.size() + 1, {"whole", 0, 1e6}));
   for (std::size_t i = 0; i < contexts.size(); ++i) {
-    page.contexts[i].use = use("in_set_play", {{"set_play", fmt::format("{}", contexts[i][0])},
-                                               {"last_phase", fmt::format("{}", contexts[i][1])}});
+    page.contexts[i].use = use("in_set_play", {{"set_play", fmt::format("{}", contexts[i].set_play)},
+                                               {"last_phase", fmt::format("{}", contexts[i].last_phase)},
+                                               {"own_kick", fmt::format("{}", contexts[i].own_kick)}});
   }
   const auto plan = plan_of(page);
   std::vector<std::string> out;
@@ -111,6 +116,19 @@ TEST(SetPlays, OneWithoutAContextIsNamedWithItsPhases) {
             (std::vector{none_is_for("kick-off in Ready and Set"), none_is_for("kick-in in Playing"),
                          none_is_for("goal kick in Playing"), none_is_for("corner kick in Playing"),
                          none_is_for("pushing free kick in Playing")}));
+}
+
+TEST(SetPlays, OneOfWhichOnlyOneSideHasAContextIsNamedWithTheOther) {
+  constexpr int set = REGISTA_PHASE_SET, kick_off = REGISTA_SET_PLAY_KICK_OFF, penalty = REGISTA_SET_PLAY_PENALTY_KICK;
+  EXPECT_EQ(warned_of_set_plays({{kick_off, set}, {penalty, set, 1}}),
+            One{none_is_for("penalty kick of the opponent in Ready and Set")});
+  EXPECT_EQ(warned_of_set_plays({{kick_off, set}, {penalty, REGISTA_PHASE_READY, 1}, {penalty, set, 0}}),
+            One{none_is_for("penalty kick of this team in Set")});
+  EXPECT_EQ(warned_of_set_plays({{kick_off, set, 0}, {penalty, set, 0}}),
+            (std::vector{none_is_for("kick-off of this team in Ready and Set"),
+                         none_is_for("penalty kick of this team in Ready and Set")}));
+  EXPECT_EQ(warned_of_set_plays({{kick_off, set, 0}, {kick_off, set, 1}, {penalty, set, 0}, {penalty, set, 1}}),
+            None{});
 }
 
 TEST(SetPlays, ATeamWithoutContextsOfSetPlaysIsNotWarnedOf) { EXPECT_EQ(warned_of_set_plays({}), None{}); }

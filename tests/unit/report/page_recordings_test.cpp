@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 struct Written {
   std::string seed = "7", home = R"({"team":"a"})", away = R"({"team":"b"})", opening = "left";
   std::string game = R"({"time":100,"score":[2,1]})", goal = "";  // at the very end, of an event
-  bool whole = true;
+  bool whole = true, backwards = false;  // backwards: what comes later stands first in the file
   int packets = 0;
 };
 
@@ -40,9 +40,13 @@ class PageRecordingsTest : public testing::Test {
           {{"seed", content.seed}, {"home", content.home}, {"away", content.away}, {"opening", content.opening}}});
       const mcap::ChannelId game = writer.add_channel("/game", "json"), events = writer.add_channel("/event", "json");
       const mcap::ChannelId others = writer.add_channel("/belief/home/1", "json");
-      writer.write({game, 0, 1'000'000'000, 1'000'000'000, R"({"time":1,"score":[0,0]})"});
-      if (!content.game.empty()) writer.write({game, 1, 100'000'000'000, 100'000'000'000, content.game});
-      if (!content.goal.empty()) writer.write({events, 0, 100'050'000'000, 100'050'000'000, content.goal});
+      std::vector<mcap::Message> messages{
+          {game, 0, 1'000'000'000, 1'000'000'000, R"({"time":1,"score":[0,0]})"},
+          {events, 0, 99'990'000'000, 99'990'000'000, R"({"event":"goal","time":99.99,"score":[1,1]})"}};
+      if (!content.game.empty()) messages.push_back({game, 1, 100'000'000'000, 100'000'000'000, content.game});
+      if (!content.goal.empty()) messages.push_back({events, 1, 100'050'000'000, 100'050'000'000, content.goal});
+      if (content.backwards) std::ranges::reverse(messages);
+      for (const mcap::Message& each : messages) writer.write(each);
       const mcap::ChannelId sent = writer.add_channel("/packet", "json");
       for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(content.packets); ++i) {
         writer.write({sent, i, 100'055'000'000, 100'055'000'000, "{}"});
@@ -67,6 +71,17 @@ TEST_F(PageRecordingsTest, OfTheSameMatch) {
   match_.packets.reset();
   match_.labels = {"a (one/a.yaml)", "b (c)"};
   EXPECT_TRUE(recording::is_recording_of(write({}), match_));
+}
+
+// MCAP lets messages stand in any order; their times say what came last.
+TEST_F(PageRecordingsTest, TheOrderInTheFileDoesNotMatter) {
+  for (const bool backwards : {false, true}) {
+    const fs::path file = write({.game = R"({"score":[1,1]})",
+                                 .goal = R"({"event":"goal","time":100.05,"score":[2,1]})",
+                                 .backwards = backwards});
+    EXPECT_TRUE(recording::is_recording_of(file, match_)) << backwards;
+    EXPECT_EQ(recording::first_goal(file), 99.99) << backwards;
+  }
 }
 
 TEST_F(PageRecordingsTest, OfAnother) {

@@ -83,7 +83,7 @@ TEST(Ranking, ThePublishedTriangle) {
   EXPECT_EQ(ranks[1].scored, 9u);
   EXPECT_EQ(ranks[1].conceded, 11u);
   // The first beats all others: it alone is the equilibrium.
-  EXPECT_NEAR(ranks[0].nash, 1.0, 1e-6);
+  EXPECT_NEAR(ranks[0].nash.value(), 1.0, 1e-6);
 }
 
 TEST(Ranking, TheBestStandsFirstWhereverThePlanHasIt) {
@@ -99,7 +99,7 @@ TEST(Ranking, RockPaperScissors) {
   course.take_pairs({{4, 0, 0, 0, 0}, {0, 0, 0, 0, 4}, {4, 0, 0, 0, 0}});
   const auto ranks = ranking(course.plan, *course.tournament);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(ranks[i].nash, 1.0 / 3.0, 1e-6);
+    EXPECT_NEAR(ranks[i].nash.value(), 1.0 / 3.0, 1e-6);
     EXPECT_NEAR(ranks[i].elo->value, 0.0, 1e-6);
     EXPECT_EQ(ranks[i].points, 8.0);
   }
@@ -152,6 +152,32 @@ TEST(Ranking, BeforeTheFirstMatchInTheOrderOfThePlan) {
     EXPECT_EQ(each.points, 0.0);
   }
   EXPECT_THAT(order, ElementsAre(0, 1, 2));
+}
+
+// Teams that never met might be equal or far apart: no number of theirs may be made up for the equilibrium.
+TEST(Ranking, NashSharesNeedThatAllTeamsHaveMet) {
+  using enum config::Tournament::Format;
+  for (const auto format : {gauntlet, swiss, knock_out, round_robin}) {
+    Course course({"a", "b", "c", "d"}, 1);
+    course.plan.asked.format = format;
+    course.tournament.emplace(course.plan);
+    const auto with_nash = [&course] {
+      const auto ranks = ranking(course.plan, *course.tournament);
+      return std::ranges::count_if(ranks, [](const Ranked& each) { return each.nash.has_value(); });
+    };
+    std::uint64_t matches = 0;
+    course.tournament->run([&](const study::Round& round) {
+      for (std::uint64_t i = 0; i < round.matches; ++i) {
+        // The eleventh match of a round robin is the first one of the last of six pairings.
+        EXPECT_EQ(with_nash(), format == round_robin && matches >= 11 ? 4 : 0) << matches;
+        const campaign::MatchResult decided = match(1, 0);
+        round.take(i, &decided);
+        ++matches;
+      }
+    });
+    EXPECT_TRUE(course.tournament->complete());
+    EXPECT_EQ(with_nash(), format == round_robin ? 4 : 0);
+  }
 }
 
 TEST(PValues, AreThoseOfTheSignsOfGoalsByHolm) {

@@ -191,6 +191,7 @@ TEST(TournamentText, ThreeTeamsAreRanked) {
   const std::string text = without_played(tournament_text(course.view()));
   EXPECT_THAT(text, StartsWith("Tournament: 3 teams, round robin (5 pairs each, seeds from 1)\n\nStanding\n"
                                "Rank  Team                     "));
+  EXPECT_THAT(text, HasSubstr("Nash share"));
   const std::size_t first = text.find("\n   1  the longest name of all "), second = text.find("\n   2  b "),
                     third = text.find("\n   3  c ");
   ASSERT_NE(third, std::string::npos);
@@ -218,6 +219,17 @@ TEST(TournamentText, ThreeTeamsAreRanked) {
   EXPECT_THAT(tournament_text(longer.view()), Not(HasSubstr("No margin")));
   course.plan.asked.format = config::Tournament::Format::gauntlet;
   EXPECT_THAT(title(course.view()), StartsWith("3 teams, gauntlet ("));
+}
+
+TEST(TournamentText, TeamsThatNeverMetHaveNoNashShare) {
+  Course course({"a", "b", "c"}, 5);
+  course.plan.asked.format = config::Tournament::Format::gauntlet;
+  course.tournament.emplace(course.plan);
+  course.take_pairs({{1, 0, 1, 0, 3}, {0, 0, 1, 0, 4}});
+  EXPECT_THAT(tournament_text(course.view()), Not(HasSubstr("Nash")));
+  EXPECT_THAT(tournament_page(course.view(), TournamentHistory(course.plan, *course.tournament)),
+              Not(HasSubstr("Nash")));
+  EXPECT_THAT(tournament_json(course.view()), HasSubstr("\"nash\":null"));
 }
 
 // The pairs of the title are those that the schedule has come through, whoever still plays.

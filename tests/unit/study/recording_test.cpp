@@ -139,7 +139,10 @@ TEST_F(Recordings, ThatAreNoneAreRefused) {
   EXPECT_EQ(complaint(""), "m_ball_raw.csv: is empty; expected a first line with the names of columns");
   EXPECT_EQ(complaint("event,t,x_mm,y_mm\n"), "m_ball_raw.csv: holds no detection");
   EXPECT_THAT(complaint("\x89PNG\r\n\x1a\n\0\0\0\rIHDR"), HasSubstr("m_ball_raw.csv:1:1: byte 0x89 is not UTF-8"));
-  EXPECT_THAT(complaint("a,b\n1,2\n"), HasSubstr("unknown column \"x_mm\" in this file; known: a, b"));
+  EXPECT_EQ(
+      complaint("a,b\n1,2\n"),
+      "m_ball_raw.csv:1:1: unknown column \"x_mm\" in this file; known: a, b; a recording of the ball has the columns "
+      "event, t, x_mm, y_mm");
   EXPECT_THAT(complaint(std::string(100'000, 'x')), HasSubstr("m_ball_raw.csv:1:1: is longer than 65536 bytes"));
   EXPECT_THAT(complaint("\x1f\x8b\x08" + std::string(300, 'x')), HasSubstr("m_ball_raw.csv:1:1: cannot be read on"));
   EXPECT_THAT(complaint_of(folder_), HasSubstr("is a folder, not a table"));

@@ -142,17 +142,18 @@ struct Window {
   bool holds(const regista::Frame& frame) { return frame.time() >= from && frame.time() < to; }
 };
 
-// Holds in a set play of this number, in phases up to this one.
+// Holds in a set play of this number, in phases up to this one, of this side.
 struct InSetPlay {
   static constexpr auto id = "in_set_play", version = "1.0.0", summary = "Holds in set plays";
-  int set_play = 0, last_phase = REGISTA_PHASE_PLAYING;
+  int set_play = 0, last_phase = REGISTA_PHASE_PLAYING, own_kick = -1;
   static constexpr std::tuple parameters{
       regista::integer("set_play", &InSetPlay::set_play, {0, 6}, "1", "0: any"),
-      regista::integer("last_phase", &InSetPlay::last_phase, {1, 3}, "1", "As in the ABI")};
+      regista::integer("last_phase", &InSetPlay::last_phase, {1, 3}, "1", "As in the ABI"),
+      regista::integer("own_kick", &InSetPlay::own_kick, {-1, 1}, "1", "As in the ABI; -1: any")};
   bool holds(const regista::Frame& frame) {
     const regista::Game& game = frame.world().game();
     return game.set_play != REGISTA_SET_PLAY_NONE && (set_play == 0 || game.set_play == set_play) &&
-           game.phase <= last_phase;
+           game.phase <= last_phase && (own_kick < 0 || game.own_kick == own_kick);
   }
 };
 
