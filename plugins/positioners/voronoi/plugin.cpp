@@ -17,20 +17,18 @@ namespace {
 using voronoi::Settings;
 
 struct Voronoi {
-  static constexpr auto id = "voronoi", version = "1.1.0", licence = "GPL-3.0-or-later",
+  static constexpr auto id = "voronoi", version = "1.2.0", licence = "GPL-3.0-or-later",
                         summary = "Nodes and edges of the Voronoi diagram of the opponents";
   static constexpr unsigned reads = REGISTA_READS_OPPONENTS_MINE | REGISTA_READS_OPPONENTS_COMMON;
-  Settings settings;
-  bool opponents_are_sites = true, field_corners = false, halfway_ends = true, opponent_posts = true, own_goal = false;
+  Settings settings = standard();
+  bool opponents_are_sites = true, field_corners = true, halfway_ends = true, opponent_posts = true, own_goal = false;
   double drop_beyond = 1.0, inset = 0.15;
   bool cells = false;
   static constexpr std::tuple parameters{
       regista::boolean("opponents", &Voronoi::opponents_are_sites,
                        "Sites: the opponents inside the lines, as the paper"),
-      regista::boolean(
-          "field_corners", &Voronoi::field_corners,
-          "Sites: the four corners of the field; SPQR 2023, which the paper does not name; off, as the shipped "
-          "teams are made without them"),
+      regista::boolean("field_corners", &Voronoi::field_corners,
+                       "Sites: the four corners of the field; SPQR 2023, which the paper does not name"),
       regista::boolean("halfway_ends", &Voronoi::halfway_ends,
                        "Sites: both ends of the halfway line; SPQR 2023, which the paper does not name"),
       regista::boolean("opponent_posts", &Voronoi::opponent_posts,
@@ -55,9 +53,15 @@ struct Voronoi {
                                        "Also nodes where an edge of the diagram leaves the field; our option"),
                       regista::real("at_least", &Settings::at_least, {0.0, 1.0}, "m",
                                     "Nodes stay until an opponent has moved so far; 0: until any has moved at all; "
-                                    "our option, for speed")),
+                                    "ours, for speed: play did not differ")),
       regista::boolean("cells", &Voronoi::cells,
                        "Also the Voronoi cell of each active robot among its team, clipped to the lines; our option")};
+
+  static Settings standard() {
+    Settings out;
+    out.at_least = 0.05;
+    return out;
+  }
 
   std::optional<voronoi::Diagram> diagram;
   std::vector<voronoi::Point> opponents;

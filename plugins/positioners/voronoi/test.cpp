@@ -389,12 +389,12 @@ TEST(VoronoiPlugin, EachGroupOfSitesIsASwitch) {
     for (const std::vector<Point>& group : groups) out.insert(out.end(), group.begin(), group.end());
     return out;
   };
-  expect_sites({}, of({ends, posts}), all);
-  expect_sites({{"field_corners", 1.0}}, of({corners, ends, posts}), all);
-  expect_sites({{"halfway_ends", 0.0}}, of({posts}), all);
-  expect_sites({{"opponent_posts", 0.0}}, of({ends}), all);
-  expect_sites({{"own_goal", 1.0}}, of({ends, posts, goal}), all);
-  expect_sites({{"opponents", 0.0}, {"field_corners", 1.0}}, of({corners, ends, posts}), {});
+  expect_sites({}, of({corners, ends, posts}), all);
+  expect_sites({{"field_corners", 0.0}}, of({ends, posts}), all);
+  expect_sites({{"halfway_ends", 0.0}}, of({corners, posts}), all);
+  expect_sites({{"opponent_posts", 0.0}}, of({corners, ends}), all);
+  expect_sites({{"own_goal", 1.0}}, of({corners, ends, posts, goal}), all);
+  expect_sites({{"opponents", 0.0}}, of({corners, ends, posts}), {});
 }
 
 TEST(VoronoiPlugin, CellsOfTheActiveRobotsWhenAskedFor) {
