@@ -32,6 +32,12 @@ inline constexpr auto drag_parameter = regista::real(
     "Share of its speed that a rolling ball loses in a second besides; 0 on carpet, 0.62 in the 2D simulation "
     "league, where 94 % are kept in a cycle of 0.1 s");
 
+inline constexpr auto slide_parameter =
+    regista::real("slide_deceleration", &RollingModel::slide_deceleration, {0.0, 10.0}, "m/s^2",
+                  "Deceleration of a kicked ball while it slides, until it rolls with 5/7 of its speed; 3.5 on the "
+                  "carpet of the Small "
+                  "Size League; 0, as in Regista's matches: it rolls at once");
+
 inline constexpr auto resting_noise_parameter =
     regista::real("resting_noise", &RollingModel::resting_noise, {0.0, 0.3}, "m/s^0.5",
                   "Standard deviation of a resting ball's place after one second (nudges); assumption");

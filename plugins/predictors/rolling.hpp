@@ -4,7 +4,11 @@
 // closed form, so that one long step equals many short ones and all robots that start from the same packet get the same
 // ball.
 //
-// Source: dv/dt = -a - k v, solved exactly; deceleration a 0.30 to 0.35 m/s^2 on SPL carpet as measured by SPL teams.
+// A kicked ball may slide first, with a far greater deceleration, until it rolls.
+//
+// Sources: dv/dt = -a - k v, solved exactly; deceleration a 0.30 to 0.35 m/s^2 on SPL carpet as measured by SPL teams.
+// A solid ball that starts to slide without spin rolls once 5/7 of its speed are left (Newton's laws with a constant
+// friction; Rojas and Simon, "Like a rolling ball", Free University of Berlin, for the Small Size League).
 // The covariance follows the exact Jacobian of that motion plus two noises: white noise on the deceleration along the
 // path and a random walk of the direction across it.
 #pragma once
@@ -26,6 +30,7 @@ struct RollingModel {
   double acceleration_noise = 0.1;  // m/s / sqrt(s), along the path
   double direction_noise = 0.05;    // rad / sqrt(s)
   double resting_noise = 0.01;      // m / sqrt(s)
+  double slide_deceleration = 0.0;  // m/s^2, of a kicked ball that does not roll yet; 0: it rolls at once
 };
 
 // Seconds until a ball of this speed stands.
@@ -128,6 +133,28 @@ inline bool advance_rolling(State& ball, double dt, const RollingModel& model) {
   stop(ball, model);
   rest(ball, dt - rolls, model);
   return true;
+}
+
+// Seconds for which a ball of this speed, kicked `since` seconds ago, slides on.
+inline double time_to_roll(double speed, double since, const RollingModel& model) {
+  if (model.slide_deceleration == 0.0) return 0.0;
+  return std::max(0.0, (2.0 * speed / model.slide_deceleration - 5.0 * since) / 7.0);
+}
+
+// Carries a ball `dt` seconds forward that was kicked `since` seconds ago. True when it stands at the end.
+inline bool advance_kicked(State& ball, double dt, double since, const RollingModel& model) {
+  constexpr double unsure = 0.45; // s^0.5: deviation of the speed after a second of sliding, in decelerations
+  const double slides = std::min(dt, time_to_roll(ball.velocity.norm(), since, model));
+  if (slides > 0.0) {
+    RollingModel sliding = model;
+    sliding.deceleration = model.slide_deceleration;
+    sliding.acceleration_noise = unsure * model.slide_deceleration;
+    if (advance_rolling(ball, slides, sliding)) {
+      rest(ball, dt - slides, model);
+      return true;
+    }
+  }
+  return dt > slides && advance_rolling(ball, dt - slides, model);
 }
 
 // A ball whose velocity is hardly known yet: constant velocity with white noise of acceleration.

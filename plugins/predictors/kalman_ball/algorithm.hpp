@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 
 #include "../ball_hypotheses.hpp"
 #include "../ball_view.hpp"
@@ -43,10 +44,11 @@ struct Hypothesis {
   BallState ball;
   Kind kind = Kind::resting;
   int label = 0;
-  int sightings = 0;     // behind it
-  double weight = 0.0;   // probability
-  double age = 0.0;      // s since the last sighting behind it
-  double unheard = 0.0;  // s since the last sighting or packet behind it
+  int sightings = 0;                                         // behind it
+  double weight = 0.0;                                       // probability
+  double age = 0.0;                                          // s since the last sighting behind it
+  double unheard = 0.0;                                      // s since the last sighting or packet behind it
+  double touched = std::numeric_limits<double>::infinity();  // s since the touch that it supposes
 };
 
 class Filter {
@@ -148,12 +150,13 @@ class Filter {
     if (hypothesis.kind == Kind::resting) {
       rest(hypothesis.ball, dt, parameters_.rolling);
     } else if (velocity_believed(hypothesis)) {
-      if (advance_rolling(hypothesis.ball, dt, parameters_.rolling)) hypothesis.kind = Kind::resting;
+      if (advance_kicked(hypothesis.ball, dt, hypothesis.touched, parameters_.rolling)) hypothesis.kind = Kind::resting;
     } else {
       advance_unknown(hypothesis.ball, dt, parameters_.rolling);
     }
     hypothesis.age += dt;
     hypothesis.unheard += dt;
+    hypothesis.touched += dt;
   }
 
  private:
@@ -239,6 +242,7 @@ class Filter {
       most = weight;
       take(fresh, seen, fit);
       fresh.sightings = 1;
+      fresh.touched = 0.0;
       fresh.weight = weight;
       likeliest = fresh;
     }
@@ -262,6 +266,7 @@ class Filter {
     fresh.weight = 0.5 * weight;
     hypotheses_.add(fresh);
     fresh.kind = Kind::moving;
+    fresh.touched = 0.0;
     fresh.ball.velocity_covariance.diagonal().setConstant(parameters_.speed_prior * parameters_.speed_prior);
     hypotheses_.add(fresh);
   }

@@ -15,7 +15,7 @@ using kalman_ball::Hypothesis;
 using kalman_ball::Parameters;
 
 struct KalmanBall {
-  static constexpr auto id = "kalman_ball", version = "1.2.0",
+  static constexpr auto id = "kalman_ball", version = "1.3.0",
                         summary = "Ball: weighted Kalman hypotheses, resting or rolling";
   static constexpr unsigned reads = REGISTA_READS_NOTHING;
   static constexpr unsigned subjects = REGISTA_SUBJECT_BALL;
@@ -26,7 +26,7 @@ struct KalmanBall {
       regista::within(
           &Parameters::rolling,
           ball::rolling_parameters("Standard deviation of the speed after one second of rolling; assumption"),
-          ball::drag_parameter, ball::resting_noise_parameter.tunable()),
+          ball::drag_parameter, ball::slide_parameter, ball::resting_noise_parameter.tunable()),
       regista::real("timing_noise", &Parameters::timing_noise, {0.0, 0.1}, "s",
                     "Standard deviation of the time at which a sighting was taken, by which a moving ball is off along "
                     "its path; 0.003 to 0.004 for the cameras of the Small Size League, 0 in Regista's matches"),

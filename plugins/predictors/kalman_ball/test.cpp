@@ -123,6 +123,45 @@ TEST_P(Rolls, NoisesSpreadTheBallsAsSimulated) {
   EXPECT_NEAR(told(1, 3) / simulated(1, 3), 1.0, 0.06);
 }
 
+// A solid ball, 2/5 m r^2, that slides without spin at first: friction slows it and turns it until it rolls. Integrated
+// in steps of 10 us, beside one step and beside many.
+TEST(KickedBall, SlidesUntilItRollsAsNewtonSays) {
+  RollingModel model;
+  model.slide_deceleration = 3.5;
+  const double kick = 6.0, dt = 1e-5;
+  double speed = kick, surface = 0.0, way = 0.0, rolled_at = 0.0;  // surface: of its spin, m/s
+  double time = 0.0;
+  for (; time < 1.0; time += dt) {
+    if (surface < speed) {
+      speed -= model.slide_deceleration * dt;
+      surface += 2.5 * model.slide_deceleration * dt;
+      rolled_at = time;
+    } else {
+      speed -= model.deceleration * dt;
+    }
+    way += speed * dt;
+  }
+  EXPECT_NEAR(time_to_roll(kick, 0.0, model), rolled_at, 1e-3);
+  EXPECT_NEAR(time_to_roll(kick - 0.2 * model.slide_deceleration, 0.2, model), rolled_at - 0.2, 1e-3);
+  BallState once, often;
+  once.velocity << kick, 0.0;
+  once.velocity_covariance = 0.01 * Matrix2d::Identity();
+  often = once;
+  EXPECT_FALSE(advance_kicked(once, 1.0, 0.0, model));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(advance_kicked(often, 0.01, 0.01 * i, model));
+  EXPECT_NEAR(once.velocity.x(), speed, 1e-3);
+  EXPECT_NEAR(once.position.x(), way, 1e-3);
+  EXPECT_LT((once.position - often.position).norm() + (once.velocity - often.velocity).norm(), 1e-9);
+  EXPECT_LT((once.position_covariance - often.position_covariance).norm(), 1e-9);
+  // One that is not known to have been kicked rolls.
+  BallState known, rolls;
+  known.velocity << kick, 0.0;
+  rolls.velocity << kick, 0.0;
+  advance_kicked(known, 1.0, std::numeric_limits<double>::infinity(), model);
+  advance_rolling(rolls, 1.0, model);
+  EXPECT_EQ(known.position, rolls.position);
+}
+
 TEST(Visible, IsASectorLessItsMargin) {
   const View view = ahead();
   EXPECT_TRUE(view.holds({3.0, 0.0}, 0.3));
