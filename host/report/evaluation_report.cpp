@@ -3,6 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 #include "config/values.hpp"
 #include "report/number.hpp"
 #include "texts/json.hpp"
@@ -36,6 +41,38 @@ Json document_of(config::PredictorStudy study) { return config::to_json(config::
 
 Json errors_json(const study::Errors& errors) {
   return {{"median", errors.median}, {"ninetieth_percentile", errors.ninetieth}};
+}
+
+// What a reader must not overlook: questions without an answer, errors above the baseline, ellipses that do not hold.
+std::vector<std::string> notes(const config::PredictorStudy& study, const study::Evaluation& evaluation) {
+  constexpr double few = 0.95, least = 0.9, most = 0.98;  // shares: of answers, and inside 95 % ellipses
+  const bool is_ball = study.subject == config::PredictorStudy::Subject::ball;
+  std::vector<std::string> out;
+  for (const study::AtHorizon& at : evaluation.horizons) {
+    const double answered = at.truths == 0 ? 1.0 : static_cast<double>(at.answers) / static_cast<double>(at.truths);
+    if (answered < few) {
+      out.push_back(
+          fmt::format("{:g} s ahead: {} reported no track for {:.0f} % of the truths; it had too little to go by",
+                      at.horizon, study.predictor.plugin, 100.0 * (1.0 - answered)));
+    }
+    if (at.answers == 0) continue;
+    const study::ErrorRatio& median = at.to_decayed.median;
+    const bool is_worse = median.low > 1.0;
+    const double inside = is_ball && at.untouched > 0 ? at.untouched_within_95 : at.consistency.within_95;
+    if (!is_worse && (!is_ball || at.untouched == 0 || (inside >= least && inside <= most))) continue;
+    std::string note = fmt::format("{:g} s ahead: ", at.horizon);
+    if (is_worse) note += fmt::format("median error {:.2f} of that of decayed velocity", median.value);
+    const std::string_view whose = is_ball && at.untouched > 0 ? " of untouched balls" : "";
+    if (inside < least) {
+      note += fmt::format("{}its 95 % ellipses hold {:.0f} %{}: it takes the motion for more regular than it is",
+                          is_worse ? "; " : "", 100.0 * inside, whose);
+    } else if (inside > most) {
+      note += fmt::format("{}its 95 % ellipses hold {:.0f} %{}: it takes the motion for less regular than it is",
+                          is_worse ? "; " : "", 100.0 * inside, whose);
+    }
+    out.push_back(std::move(note));
+  }
+  return out;
 }
 
 }  // namespace
@@ -83,6 +120,7 @@ std::string evaluation_text(const config::PredictorStudy& study, const Evaluated
   out += consistency_row("NEES mean / median", evaluation, [](const Consistency& each) {
     return fmt::format("{:.2f} / {:.2f}", each.nees_mean, each.nees_median);
   });
+  for (const std::string& each : notes(study, evaluation)) out += "note: " + each + '\n';
   return out;
 }
 
@@ -124,6 +162,7 @@ std::string evaluation_json(const config::PredictorStudy& study, const Evaluated
     }
     out["horizons"].push_back(std::move(each));
   }
+  out["notes"] = notes(study, evaluation);
   return text_of(out, 2);
 }
 

@@ -63,6 +63,16 @@ class EvaluatePredictor(unittest.TestCase):
         self.assertGreater(last["error_m"]["hold"]["median"], 0.2)
         self.assertEqual(data.stdout, self.evaluate("--json").stdout, "the same every time")
 
+    def test_what_must_not_be_overlooked_is_noted(self):
+        held = self.evaluate("--set", "predictor={plugin: hold_last}")
+        self.assertIn("note: 1 s ahead: median error", held.stdout)
+        self.assertIn("of that of decayed velocity", held.stdout)
+        good = json.loads(self.evaluate("--json").stdout)
+        self.assertFalse([note for note in good["notes"] if "decayed" in note], good["notes"])
+        # A ball that is forgotten at once gets no answer.
+        forgotten = json.loads(self.evaluate("--json", "--set", "predictor={plugin: hold_last, params: {forget_after: 0.5}}").stdout)
+        self.assertTrue(any(note.startswith("1 s ahead") and "no track" in note for note in forgotten["notes"]), forgotten["notes"])
+
     def test_dropping_observations(self):
         result = self.evaluate("--json", "--set", "observations={every: 0.1, drop: 0.3, seed: 1}",
                                "--set", "baselines.window=1", "--set", "baselines.least=2")
