@@ -124,7 +124,7 @@ void add_commands(Command& program, const Invocation& invocation) {
                                 add_report, add_results, add_gather, add_status, add_stop, add_cluster_task, add_power,
                                 add_sprt, add_rank, add_evaluate_predictor, add_metrics, add_completion})
     add(program, invocation);
-  Command& plugin = program.add("plugin", "the plugins that there are");
+  Command& plugin = program.add("plugin", "plugins: list, explain, make and check them");
   plugin.notes(plugin_examples);
   for (AddCommand* const add :
        {add_plugin_list, add_plugin_info, add_plugin_new, add_plugin_check, add_plugin_reference})

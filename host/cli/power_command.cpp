@@ -18,6 +18,7 @@
 #include "plugin/shared_object.hpp"
 #include "report/given_results.hpp"
 #include "results/results_file.hpp"
+#include "statistics/rating.hpp"
 #include "study/paired_estimates.hpp"
 #include "study/study.hpp"
 #include "texts/message.hpp"
@@ -28,6 +29,7 @@ namespace {
 constexpr auto power_notes = R"(Examples:
   regista power tournament.db
   regista power tournament.db --difference 0.3 --power 0.9
+  regista power tournament.db --difference 20elo
   regista power tournament.db --pairs 200 --json
   regista power tournament.db --metric striker.overlap_seconds --difference 10
   regista power role_overlap.db
@@ -52,6 +54,10 @@ struct PowerOptions : StudyOptions {
   std::string metric, difference, power, pairs;
 };
 
+constexpr std::string_view elo_unit = "elo";  // of --difference: of points, 1 for a win and 0.5 for a draw
+
+bool in_elo(const PowerOptions& options) { return options.difference.ends_with(elo_unit); }
+
 // The numbers of the options. The constructor throws BadInput for an option that is not a number.
 struct Asked {
   explicit Asked(const PowerOptions& options) {
@@ -61,10 +67,13 @@ struct Asked {
         throw BadInput(fmt::format("--power: {}; expected a number from 0.5 on and below 1", options.power));
     }
     if (!options.difference.empty()) {
-      difference = config::typed_number(options.difference);
+      const bool elo = in_elo(options);
+      difference = config::typed_number(
+          std::string_view(options.difference).substr(0, options.difference.size() - (elo ? elo_unit.size() : 0)));
       if (!difference || !(*difference > 0.0))
-        throw BadInput(
-            fmt::format("--difference: {}; expected a number above 0", texts::in_quotes(options.difference)));
+        throw BadInput(fmt::format("--difference: {}; expected a number above 0, or of Elo as in 20elo",
+                                   texts::in_quotes(options.difference)));
+      if (elo) difference = 2.0 * statistics::score_of_elo(*difference) - 1.0;
     }
     if (!options.pairs.empty())
       pairs = static_cast<std::int64_t>(config::parse_whole("--pairs", options.pairs, 1, study::most_pairs));
@@ -93,7 +102,14 @@ void refuse_what_says_nothing(const std::string& file, const study::PairDifferen
 
 // Returns the measure to use. usual: the measure if no option names a measure; empty: the study has no primary measure.
 std::string measure_of(const std::string& file, const PowerOptions& options, const std::string& usual) {
-  std::string out = options.metric.empty() ? usual : std::string(match::without_roles(options.metric));
+  constexpr const char* points = "points";
+  if (in_elo(options) && !options.metric.empty() && options.metric != points) {
+    throw BadInput(fmt::format("--difference {} is a difference of points; without it --metric {}, or --metric {}",
+                               options.difference, options.metric, points));
+  }
+  std::string out = in_elo(options)          ? points
+                    : options.metric.empty() ? usual
+                                             : std::string(match::without_roles(options.metric));
   if (out.empty())
     throw BadInput(fmt::format("power: {} names no primary measure; --metric names a number of its matches", file));
   return out;
@@ -241,7 +257,8 @@ void add_power(Command& parent, const Invocation& invocation) {
                "results of a tournament or an experiment, or its document, of which a pilot is played",
                Reads::documents);
   command.take("--difference", options->difference, "NUMBER",
-               "mean difference that matters, in the unit of the metric; default: 0.5 goals a match");
+               "mean difference that matters, in the unit of the metric, or of Elo as in 20elo; default: 0.5 goals a "
+               "match");
   command.take("--power", options->power, "RATE", "probability of finding it; default 0.8");
   command.take("--pairs", options->pairs, "N",
                "print the difference that so many pairs find; default: the study's own number");

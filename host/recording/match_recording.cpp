@@ -35,9 +35,10 @@ struct ToWorld {
   }
 };
 
-// Writes a covariance as xx, xy, yy. Half a turn does not change these values.
-void covariance(JsonText& json, const double* xx_xy_yy) {
-  json.open('[').number(xx_xy_yy[0], 4).number(xx_xy_yy[1], 4).number(xx_xy_yy[2], 4).close(']');
+// Writes a covariance as xx, xy, yy. Half a turn does not change these values. A robot's has three decimals: its
+// ellipse is then drawn right to 3 cm, and a page of a whole match is a tenth smaller.
+void covariance(JsonText& json, const double* xx_xy_yy, int decimals) {
+  json.open('[').number(xx_xy_yy[0], decimals).number(xx_xy_yy[1], decimals).number(xx_xy_yy[2], decimals).close(']');
 }
 
 void numbers_of(JsonText& json, match::RobotSet of_one_side) {
@@ -67,7 +68,7 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
     json.key("velocity");
     to.point(json, ball.velocity);
     json.key("covariance");
-    covariance(json, ball.covariance);
+    covariance(json, ball.covariance, 4);
     json.key("age").number(ball.age, 2).close('}');
   } else {
     json.null();
@@ -80,15 +81,15 @@ void world(JsonText& json, const mind::DistributedWorldModel& snapshot, const To
   json.key("teammates").open('{');
   known("number", [&](const regista_robot& robot) { json.integer(robot.number); });
   known("pose", [&](const regista_robot& robot) { to.pose(json, robot.pose); });
-  known("covariance", [&](const regista_robot& robot) { covariance(json, robot.covariance); });
+  known("covariance", [&](const regista_robot& robot) { covariance(json, robot.covariance, 3); });
   known("age", [&](const regista_robot& robot) { json.number(robot.age, 2); });
   known("role", [&](const regista_robot& robot) { json.integer(robot.role); });
   integers(json, "active", snapshot.active);
   json.close('}').key("opponents").open('{');
   column(json, "at", snapshot.opponents, [&](const regista_opponent& opponent) { to.point(json, opponent.position); });
   column(json, "covariance", snapshot.opponents,
-         [&](const regista_opponent& opponent) { covariance(json, opponent.covariance); });
-  column(json, "age", snapshot.opponents, [&](const regista_opponent& opponent) { json.number(opponent.age, 2); });
+         [&](const regista_opponent& opponent) { covariance(json, opponent.covariance, 3); });
+  column(json, "age", snapshot.opponents, [&](const regista_opponent& opponent) { json.number(opponent.age, 1); });
   column(json, "weight", snapshot.opponents,
          [&](const regista_opponent& opponent) { json.number(opponent.weight, 2); });
   json.close('}');

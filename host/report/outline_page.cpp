@@ -78,7 +78,7 @@ Html html_of(const Sentence::Piece& piece) {
                                              {"<strong>"_html, "</strong>"_html, ""},
                                              {"<bdi>"_html, "</bdi>"_html, "."},
                                              {"<code>"_html, "</code>"_html, ""},
-                                             {"<code class=\"path\">"_html, "</code>"_html, "._["},
+                                             {"<code class=\"path\">"_html, "</code>"_html, "/._["},
                                              {"<i class=\"key "_html, "\"></i>"_html, ""},
                                              {"<a href=\""_html, "</a>"_html, ""}}};
   const auto& [before, behind, breaks] = elements[static_cast<std::size_t>(piece.kind)];

@@ -37,6 +37,7 @@ struct SceneFindings {
   std::array<char, 4096> idle{}, without_waypoints{};  // for each utility term: 1 (true) or 0
   std::array<mind::ContextFinding, 512> contexts{};
   mind::SetPlayContexts set_plays{};
+  std::array<double, 512> guarded{};  // for each context, see mind::guarded_shares()
   std::array<mind::UnsendableSegment, 512> unsendable{};
   std::size_t unsendable_count = 0;
   int scenes = 0, without = 0;
@@ -107,6 +108,17 @@ std::vector<config::Warning> check_terms(const mind::TeamPlan& plan, SceneFindin
   return mind::idle_term_warnings(plan, bits(findings.idle), bits(findings.without_waypoints));
 }
 
+std::vector<config::Warning> check_waypoints(const mind::TeamPlan& plan, SceneFindings& findings) {
+  const std::size_t count = plan.contexts().size();
+  if (count > findings.guarded.size()) return {};
+  const auto failed = try_on_scenes(plan, "positioner: its waypoints", findings, [&](plugin::CallTracing tracing) {
+    std::ranges::copy(mind::guarded_shares(plan, tracing), findings.guarded.begin());
+  });
+  if (!failed.empty()) return failed;
+  const auto begin = findings.guarded.begin();
+  return mind::guard_warnings(plan, {begin, begin + static_cast<std::ptrdiff_t>(count)});
+}
+
 std::vector<config::Warning> check_segments(const mind::TeamPlan& plan, SceneFindings& findings) {
   if (std::ranges::none_of(plan.parts(), [](const mind::Part* part) { return mind::talks(*part); })) return {};
   const auto failed = try_on_scenes(plan, "the whole team", findings, [&](plugin::CallTracing tracing) {
@@ -133,6 +145,7 @@ std::vector<config::Warning> scenes_check(const mind::TeamPlan& plan) {
   const std::unique_ptr<SceneFindings, Unmap> findings(new (memory) SceneFindings);
   std::vector<config::Warning> out = check_contexts(plan, *findings);
   std::ranges::move(check_terms(plan, *findings), std::back_inserter(out));
+  std::ranges::move(check_waypoints(plan, *findings), std::back_inserter(out));
   std::ranges::move(check_segments(plan, *findings), std::back_inserter(out));
   return out;
 }

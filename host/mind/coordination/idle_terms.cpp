@@ -265,6 +265,41 @@ std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std:
   return out;
 }
 
+std::vector<double> guarded_shares(const TeamPlan& plan, plugin::CallTracing tracing) {
+  constexpr int line_ups = 40;
+  TriedTeam team(plan, tracing);
+  const double behind = -2.0 / 9.0 * plan.rules().field.length, aside = plan.rules().field.width / 3.0;
+  std::vector<double> out;
+  for (std::size_t c = 0; c < plan.contexts().size(); ++c) {
+    const bool asked = plan.contexts()[c].positioner && !talks(*plan.contexts()[c].positioner) &&
+                       plan.team().contexts[c].tasks.keep == config::TaskRules::Keep::nearest_to_waypoints;
+    int guarded = 0;
+    for (int scene = 0; asked && scene < line_ups; ++scene) {
+      const Decision& decision = team.decide(c, scene % scenes, interval * (scene + 1));
+      guarded += std::ranges::any_of(decision.placement.points, [&](const regista_waypoint& each) {
+        return each.x < behind && std::abs(each.y) < aside;
+      });
+    }
+    out.push_back(asked ? static_cast<double>(guarded) / line_ups : 1.0);
+  }
+  return out;
+}
+
+std::vector<config::Warning> guard_warnings(const TeamPlan& plan, const std::vector<double>& shares) {
+  std::vector<config::Warning> out;
+  for (std::size_t c = 0; c < shares.size(); ++c) {
+    if (shares[c] >= 0.5) continue;
+    const config::PluginUse& positioner = plan.contexts()[c].positioner->use;
+    if (!out.empty() && out.back().where == positioner.where) continue;
+    out.push_back(
+        {positioner.where,
+         fmt::format("positioner: {} makes no waypoint before the own goal in {:.0f} % of made-up scenes, and the "
+                     "filter keeps the tasks nearest to waypoints: defenders are left out; its sites decide that",
+                     positioner.plugin, 100.0 * (1.0 - shares[c]))});
+  }
+  return out;
+}
+
 std::vector<UnsendableSegment> unsendable_segments(const TeamPlan& plan, plugin::CallTracing tracing) {
   const int team_size = plan.rules().team_size;
   std::vector<Mind> minds;

@@ -97,6 +97,16 @@ std::vector<bool> terms_without_waypoints(const TeamPlan& plan, plugin::CallTrac
 std::vector<config::Warning> idle_term_warnings(const TeamPlan& plan, const std::vector<bool>& idle,
                                                 const std::vector<bool>& without_waypoints);
 
+// --- Waypoints before the own goal. A filter that keeps the tasks nearest to waypoints leaves the defenders out where
+// its positioner makes no waypoint there: it depends on the positioner's sites (docs/fidelity.md).
+
+// Returns for each context in what share of made-up scenes a waypoint lies in the middle of the rear 5/18 of the field
+// (x < -2 m and |y| < 2 m on a field of 9 m by 6 m). 1 for contexts whose filter does not go by waypoints.
+std::vector<double> guarded_shares(const TeamPlan& plan, plugin::CallTracing tracing = {});
+
+// Returns a warning for each positioner that makes such a waypoint in less than half of the scenes of a context.
+std::vector<config::Warning> guard_warnings(const TeamPlan& plan, const std::vector<double>& shares);
+
 // --- Segments that are too long for every packet. The search lets the whole team decide and exchange packets for the
 // first 3 s after a made-up kick-off. It does not find too long segments that a plugin offers at another time.
 
