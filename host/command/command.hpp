@@ -3,6 +3,7 @@
 // includes CLI11, because the headers of CLI11 cost the compiler four seconds in each file.
 #pragma once
 
+#include <cctype>
 #include <functional>
 #include <memory>
 #include <string>
@@ -38,10 +39,16 @@ class Command {
             output::FileUse use = {});
   void take(const std::string& name, std::vector<std::string>& into, const std::string& type, const std::string& help,
             output::FileUse use = {});
-  // Declares a value with fixed choices. read() writes the choice as text, which the command must convert.
+  // Declares a value with fixed choices; of a word without an option the help shows its name in capitals. read() writes
+  // the choice as text, which the command must convert.
   template <class Into>
   void choose(const std::string& name, Into& into, std::vector<std::string> choices, const std::string& help) {
-    take(name, into, "CHOICE", help);
+    std::string type = "CHOICE";
+    if (!name.starts_with('-')) {
+      type = name;
+      for (char& each : type) each = static_cast<char>(std::toupper(static_cast<unsigned char>(each)));
+    }
+    take(name, into, type, help);
     declared_.options.back().choices = std::move(choices);
   }
   void flag(const std::string& name, bool& into, const std::string& help);

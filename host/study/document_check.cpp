@@ -151,7 +151,8 @@ std::vector<config::Warning> scenes_check(const mind::TeamPlan& plan) {
 }
 
 // The remark in the head of an unfinished document: "# Sketch: what is not right yet".
-std::optional<config::Warning> sketch_remark(const std::string& file) {
+std::optional<config::Warning> sketch_remark(const std::string& typed) {
+  const std::string file = config::own_or_shipped(typed).string();
   if (!std::filesystem::is_regular_file(file)) return std::nullopt;  // a pipe can be read only once
   std::istringstream head(config::file_content(file).value_or(""));
   constexpr std::string_view mark = "# Sketch: ";

@@ -143,7 +143,7 @@ inline double time_to_roll(double speed, double since, const RollingModel& model
 
 // Carries a ball `dt` seconds forward that was kicked `since` seconds ago. True when it stands at the end.
 inline bool advance_kicked(State& ball, double dt, double since, const RollingModel& model) {
-  constexpr double unsure = 0.45; // s^0.5: deviation of the speed after a second of sliding, in decelerations
+  constexpr double unsure = 0.45;  // s^0.5: deviation of the speed after a second of sliding, in decelerations
   const double slides = std::min(dt, time_to_roll(ball.velocity.norm(), since, model));
   if (slides > 0.0) {
     RollingModel sliding = model;
