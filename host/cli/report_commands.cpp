@@ -50,7 +50,7 @@ constexpr auto report_examples = R"(Examples:
 that has ended is reported as it was at its end; another one as far as its matches have been played without a gap. The
 table of an experiment has a row for each number of each match, that of a tuning one for each point of its search.
 Several files are reported as one where they are of one study, begun alike, whose matches were played in several places.
---replays plays so many matches again: in turn the clearest win of each side and a forfeit. It writes their pages to
+--replays plays so many matches again: in turn the clearest win of each side (of equal ones the first) and a forfeit. It writes their pages to
 NAME.replays/ROW.html beside the results NAME.db, and the page of the study with links to them: NAME.html, or -o.
 --study writes the study itself, as it was asked for, with its teams, profiles and scenes: `regista run study.yaml` in that
 folder plays it again.

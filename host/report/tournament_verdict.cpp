@@ -54,7 +54,7 @@ Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
          << " by " + goals_words(view, goals, margin) + interval_clause(known) + ".";
 }
 
-// Returns a sentence: the played pairs can find a difference of `worth_finding`, or how many more pairs are needed.
+// Returns a sentence: the played pairs can find a difference of `worth_finding`, or a tournament of how many can.
 std::string what_more_would_find(const TournamentView& view, const Meeting& meeting) {
   if (const std::string few = too_few_pairs(view.plan); !few.empty()) return few + ".";
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
@@ -63,8 +63,8 @@ std::string what_more_would_find(const TournamentView& view, const Meeting& meet
   const auto needed = statistics::pairs_needed(worth_finding, deviation, study::design_of(view.plan));
   const std::string found = fmt::format("a difference of {} goals a {}", worth_finding, game_word(view.plan));
   if (needed && static_cast<std::uint64_t>(*needed) > pairs)
-    return fmt::format("About {} would find {}.",
-                       texts::plural(static_cast<std::uint64_t>(*needed) - pairs, "more pair", "more pairs"), found);
+    return fmt::format("A new tournament of about {} would find {} in four of five cases.",
+                       pairs_in_words(static_cast<std::uint64_t>(*needed)), found);
   return fmt::format("{} find {} in four of five cases.", pairs_in_words(pairs), found);
 }
 

@@ -13,12 +13,13 @@ TEAMS = program.SOURCE / "configs" / "teams"
 # Matches of two short halves, with as many packets for their length as a whole match has. They begin as those do.
 SHORT = ("--set", "rules.durations.half=60", "--set", "rules.messages.budget=203")
 
-# Matches in which a robot that touches an opponent pushes it, and most pushes cost a penalty kick.
+# Matches in which a robot that touches an opponent pushes it, and most pushes cost a penalty kick. A match with so many
+# set plays takes long, and a team without packets has no agreement: there are plenty.
 PENALTIES = ("--set", "rules.field.penalty_area_length=4.4", "--set", "rules.field.penalty_area_width=5.9", "--set",
              "rules.offences.pushing_near_ball=3", "--set", "rules.offences.pushing_lasts=0.2", "--set",
              "rules.offences.pushing_speed=0.02", "--set", "rules.penalties.removal=15", "--set",
              "rules.penalties.removal_growth=0", "--set",
-             "rules.durations.half=200", "--set", "rules.messages.budget=400")
+             "rules.durations.half=200", "--set", "rules.messages.budget=1200")
 
 
 class KickOff(program.ShippedCase):
