@@ -109,11 +109,17 @@ test("the sites are those of the positioner: opponents and fixed ones, or the ow
     [4.5, -0.8],
     [4.5, 0.8],
   ];
+  const corners = [
+    [-4.5, -3],
+    [-4.5, 3],
+    [4.5, -3],
+    [4.5, 3],
+  ];
   const halfway = [
     [0, -3],
     [0, 3],
   ];
-  assert.deepEqual(sitesOf(match, 0, 2, decision), [[2, 0], ...halfway, ...posts]);
+  assert.deepEqual(sitesOf(match, 0, 2, decision), [[2, 0], ...corners, ...halfway, ...posts]);
   // The other team attacks the other goal.
   assert.deepEqual(sitesOf(match, 1, 1, match.decisions[1][0]!.at(0))!.slice(-1), [[-4.5, 0.8]]);
   const pairs = metadata();

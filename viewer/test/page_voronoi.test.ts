@@ -73,7 +73,7 @@ test(
   async () => {
     const file = join(folder, "voronoi.mcap");
     const teams = ["paper", "fixed_rate"].map((name) => join("..", "configs", "teams", `${name}.yaml`));
-    const alone = ["--set", "a.positioner.params.merge=0", "--limit", "120", "--quiet"];
+    const alone = ["--set", "a.positioner.params={merge: 0, at_least: 0}", "--limit", "120", "--quiet"];
     execFileSync(program, ["match", ...teams, ...alone, "--record", file], { stdio: "ignore" });
     const match = await readMatch(new Uint8Array(readFileSync(file)));
     let seen = 0;

@@ -151,7 +151,7 @@ class OpponentFusion {
  public:
   explicit OpponentFusion(std::size_t most) : most_(most) {
     clusters_.reserve(64 + 5 * most);  // reserves memory for this robot's camera and each robot's packet
-    pairs_.reserve(512);
+    pairs_.reserve(2048);
   }
   void fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without = -1);
 

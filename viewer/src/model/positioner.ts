@@ -64,11 +64,15 @@ function beliefNear(log: Log<Belief> | undefined, time: number): Belief | null {
   }
 }
 
-// The sites of `voronoi` that are no robots (plugins/positioners/voronoi/algorithm.hpp): both ends of the halfway line
-// and the posts of the goal that is attacked.
+// The sites of `voronoi` that are no robots, as it has them by default: the corners of the field, both ends of the halfway
+// line and the posts of the goal that is attacked. Recordings do not say which of them a team left out.
 function fixedSites({ length, width, goalWidth }: FieldSize, towards: 1 | -1): Point[] {
   const post = goalWidth / 2 + 0.05; // of a post 0.1 m thick; recordings do not say
   return [
+    [-length / 2, -width / 2],
+    [-length / 2, width / 2],
+    [length / 2, -width / 2],
+    [length / 2, width / 2],
     [0, -width / 2],
     [0, width / 2],
     [(towards * length) / 2, -post],
