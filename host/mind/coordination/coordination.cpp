@@ -123,13 +123,20 @@ void UtilityEstimationMatrix::estimate(std::span<plugin::Utility> plugins, std::
   assert(plugins.size() == terms.size());
   const std::size_t entries = active.size() * columns.size();
   values_.assign(entries, 0.0);
-  terms_.resize(plugins.size());
+  count_ = plugins.size();
+  if (terms_.size() < count_) terms_.resize(count_);
   for (std::size_t k = 0; k < plugins.size(); ++k) {
     const std::span<const double> scored = plugins[k].score(frame, active.size(), columns.size());
     terms_[k].assign(scored.begin(), scored.end());
     add(terms[k].weight, scored, values_);
   }
   forbid(active, columns);
+}
+
+void UtilityEstimationMatrix::reserve(std::size_t entries, std::size_t plugins) {
+  values_.reserve(entries);
+  terms_.resize(plugins);
+  for (std::vector<double>& each : terms_) each.reserve(entries);
 }
 
 void UtilityEstimationMatrix::forbid(std::span<const std::int32_t> active, std::span<const regista_task> columns) {
@@ -158,6 +165,9 @@ Coordination::Coordination(const TeamPlan& plan, int own_number, std::vector<Con
       matching_(plan.roles().size(), plugin::Positioner::point_capacity) {
   played_.reserve(static_cast<std::size_t>(plan.rules().team_size));
   wanting_.reserve(plan.roles().size());
+  std::size_t terms = 0;
+  for (const ContextPlan& context : plan.contexts()) terms = std::max(terms, context.terms.size());
+  decision_.utility.reserve(static_cast<std::size_t>(plan.rules().team_size) * plan.roles().size(), terms);
   previous_.assign(static_cast<std::size_t>(plan.rules().team_size), REGISTA_NO_TASK);
   decision_.role_of = previous_;
   decision_.placement.points.reserve(plugin::Positioner::point_capacity);

@@ -60,15 +60,19 @@ class UtilityEstimationMatrix {
   void estimate(std::span<plugin::Utility> plugins, std::span<const TermPart> terms, const regista_frame& frame,
                 std::span<const std::int32_t> active, std::span<const regista_task> columns);
   void clear() { values_.clear(); }
+  // Makes room for so many entries of so many plugins, so that a change of context allocates nothing.
+  void reserve(std::size_t entries, std::size_t plugins);
 
-  const std::vector<double>& values() const { return values_; }             // rows x columns
-  const std::vector<std::vector<double>>& terms() const { return terms_; }  // by plugin: rows x columns, without weight
+  const std::vector<double>& values() const { return values_; }  // rows x columns
+  // By plugin: rows x columns, without weight.
+  std::span<const std::vector<double>> terms() const { return std::span(terms_).first(count_); }
 
  private:
   void forbid(std::span<const std::int32_t> active, std::span<const regista_task> columns);
 
   std::vector<double> values_;
-  std::vector<std::vector<double>> terms_;
+  std::vector<std::vector<double>> terms_;  // the first count_ are of the latest frame
+  std::size_t count_ = 0;
 };
 
 struct ContextParts {  // The plugin instances of one context in one robot's mind.
