@@ -186,13 +186,15 @@ class ShippedTeams(program.ShippedCase):
         alone = "{goalkeeper: {robot: 1}}"
         for team in self.WITH_A_SECOND_GOALKEEPER:
             self.write("first.yaml", f"extends: {TEAMS / team}.yaml\nteam: first\nroles: {{playing: {alone}, searching: {alone}}}\n")
-            uncovered = []
+            held, empty = [], []  # s that a robot holds the goalkeeper's role; that none is in the penalty area
             for file in (TEAMS / f"{team}.yaml", "first.yaml"):
                 played = json.loads(self.succeed("match", file, TEAMS / "paper.yaml", "--limit", "400", "--json", *gone))
-                uncovered.append(sum(role["uncovered_seconds"] for name, role in played["roles"][0].items()
-                                     if name.endswith("goalkeeper")))
-            self.assertLess(uncovered[0], 30, team)  # until all know, and have changed
-            self.assertGreater(uncovered[1], 60, team)
+                empty.append(played["goal_empty_seconds"][0])
+                held.append(sum(sum(role["robot_seconds"]) for name, role in played["roles"][0].items()
+                                if name.endswith("goalkeeper")))
+            self.assertGreater(held[0], 150, team)
+            self.assertLess(held[1], 30, team)
+            self.assertLess(empty[0], empty[1], team)
 
     def test_every_study_is_sound(self):
         """For experiments that means every arm at every value of the sweep."""
