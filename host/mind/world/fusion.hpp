@@ -162,7 +162,7 @@ class OpponentFusion {
     double information2 = 0.0;                  // sum of 1 / trace^2
     double trace = 0.0;                         // of the covariance of `position`
     double missing = 1.0;                       // probability that no estimate of the cluster is real
-    double likelihood = 0.0;                    // that there is an opponent, and near its place
+    double likelihood = 0.0;                    // of an opponent near this place
     double age = 0.0;
     double best_trace = 0.0;
     int label = 0;

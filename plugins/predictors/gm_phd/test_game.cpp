@@ -147,8 +147,8 @@ Score play(Instance& predictor, std::uint64_t seed, double detection) {
 
 class MissedDetections : public testing::TestWithParam<double> {};
 
-// All are told the true probability of detection. The mixture is played as it is and with a shorter memory: how long
-// what is unseen is told must not decide. It keeps robots that walk out of sight; the expected number of the PHD falls.
+// All know the true probability of detection. The mixture plays as it is and with a shorter memory, which must not
+// decide. It keeps robots that walk out of sight; the expected number of the PHD falls.
 TEST_P(MissedDetections, CostTheGaussianMixtureLess) {
   constexpr int seeds = 8;
   const double detection = GetParam();

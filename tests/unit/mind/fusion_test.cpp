@@ -374,7 +374,7 @@ TEST(OpponentFusion, LabelsAreUniqueHoweverFarPredictorsCount) {
 
 // Opponents far apart, each seen by a random subset of robots: clusters are known beforehand, means computed directly,
 // and no order of the estimates changes them.
-// That there is an opponent within 1 m of its place; not where weights were clamped.
+// Probability of an opponent within 1 m of the place; not where weights were clamped.
 double likelihood(const regista_opponent& each) {
   return each.weight * (1.0 - std::exp(-1.0 / (2.0 * each.covariance[0])));
 }
