@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <tuple>
 
 namespace regista::mind {
 namespace {
@@ -127,9 +126,8 @@ constexpr double furthest_pair = 2.0;  // m; two estimates of one opponent are n
 constexpr double near_place = 1.0;     // m; an opponent is where it is believed to be, for all purposes of play
 
 // Returns a label that is unique over all sources, if the tracks' labels are below 2^27.
-std::int32_t label_of(const Estimate& estimate) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(estimate.track->label) << 5 |
-                                   static_cast<std::uint32_t>(estimate.source));
+std::int32_t label_of(const regista_track& track, int source) {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(track.label) << 5 | static_cast<std::uint32_t>(source));
 }
 
 constexpr double well_within_range = 0.8;  // share of the camera's range for balls
@@ -291,69 +289,65 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   return ball;
 }
 
-void OpponentFusion::add(Cluster& cluster, const Estimate& estimate) {
-  const regista_track& track = *estimate.track;
+void OpponentFusion::Cluster::add(const regista_track& track, int from) {
   // Niehsen's weights of isotropic covariances are proportional to 1/trace; those of the fused mean, to 1/trace^2.
-  const double trace = position_trace(track), information = 1.0 / trace;
-  cluster.weighted_sum += information * information * Vector2d(track.x, track.y);
-  cluster.information += information;
-  cluster.information2 += information * information;
-  cluster.position = cluster.weighted_sum / cluster.information2;
+  const double added = 1.0 / position_trace(track), added2 = added * added;
+  weighted_sum += added2 * Vector2d(track.x, track.y);
+  information += added;
+  information2 += added2;
+  position = weighted_sum / information2;
   // The covariance intersection has the trace sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
-  cluster.trace = cluster.information / cluster.information2;
-  cluster.missing *= 1.0 - track.weight;
-  cluster.age = std::min(cluster.age, track.age);
-  cluster.source = estimate.source;
-  if (trace < cluster.best_trace) {
-    cluster.best_trace = trace;
-    cluster.velocity = {track.vx, track.vy};
-    cluster.label = label_of(estimate);
+  trace = information / information2;
+  missing *= 1.0 - track.weight;
+  age = std::min(age, track.age);
+  source = from;
+  if (position_trace(track) < best_trace) {
+    best_trace = position_trace(track);
+    velocity = {track.vx, track.vy};
+    label = label_of(track, from);
   }
 }
 
-void OpponentFusion::associate(std::span<const Estimate> of_one_source) {
-  pairs_.clear();
-  for (std::size_t i = 0; i < of_one_source.size(); ++i) {
-    const regista_track& track = *of_one_source[i].track;
-    const Vector2d position(track.x, track.y);
-    const double trace = position_trace(track);
-    for (std::size_t j = 0; j < clusters_.size(); ++j) {
-      const double squared = (clusters_[j].position - position).squaredNorm();
-      const double variance = 0.5 * (trace + clusters_[j].trace);
-      if (squared <= std::min(furthest_pair * furthest_pair, gate * variance)) {
-        pairs_.push_back({squared / variance, i, j});
-      }
+OpponentFusion::Pair OpponentFusion::nearest(const regista_track& track, int source) const {
+  const double track_trace = position_trace(track);
+  Pair best{std::numeric_limits<double>::infinity(), 0};
+  for (std::size_t i = 0; i < clusters_.size(); ++i) {
+    const Cluster& each = clusters_[i];
+    const double dx = each.position.x() - track.x, dy = each.position.y() - track.y, squared = dx * dx + dy * dy;
+    if (squared > furthest_pair * furthest_pair || each.source == source) continue;
+    const double distance = squared / (0.5 * (track_trace + each.trace));
+    if (distance <= gate && distance < best.distance) best = {distance, i};
+  }
+  return best;
+}
+
+void OpponentFusion::add(std::span<const regista_track> tracks, int source) {
+  std::array<Pair, plugin::Predictor::track_capacity> pairs;
+  for (std::size_t i = 0; i < tracks.size(); ++i) pairs[i] = nearest(tracks[i], source);
+  const std::span<Pair> open(pairs.data(), tracks.size());
+  std::uint64_t placed = 0;  // one bit for each track
+  for (;;) {
+    const auto least = std::ranges::min_element(open, {}, &Pair::distance);
+    if (least == open.end() || least->distance > gate) break;
+    const auto i = static_cast<std::size_t>(least - open.begin());
+    if (clusters_[least->cluster].source == source) {  // a nearer track of this source has taken the cluster
+      *least = nearest(tracks[i], source);
+      continue;
     }
+    clusters_[least->cluster].add(tracks[i], source);
+    placed |= std::uint64_t{1} << i;
+    least->distance = std::numeric_limits<double>::infinity();
   }
-  std::ranges::sort(pairs_, {},
-                    [](const Pair& each) { return std::tuple(each.distance, each.estimate, each.cluster); });
-  std::uint64_t placed = 0;  // one bit for each estimate; a predictor has at most 64 tracks
-  for (const Pair& pair : pairs_) {
-    Cluster& cluster = clusters_[pair.cluster];
-    const Estimate& estimate = of_one_source[pair.estimate];
-    if ((placed >> pair.estimate & 1u) != 0 || cluster.source == estimate.source) continue;
-    placed |= std::uint64_t{1} << pair.estimate;
-    add(cluster, estimate);
-  }
-  for (std::size_t i = 0; i < of_one_source.size(); ++i) {
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
     if ((placed >> i & 1u) != 0) continue;
     Cluster& fresh = clusters_.emplace_back();
     fresh.weighted_sum = Vector2d::Zero();
     fresh.age = fresh.best_trace = std::numeric_limits<double>::infinity();
-    add(fresh, of_one_source[i]);
+    fresh.add(tracks[i], source);
   }
 }
 
-void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without) {
-  clusters_.clear();
-  out.reserve(most_);
-  for (std::size_t begin = 0; begin < estimates.size();) {
-    const int source = estimates[begin].source;
-    std::size_t end = begin;
-    while (end < estimates.size() && estimates[end].source == source) ++end;
-    if (source != without) associate(estimates.subspan(begin, end - begin));
-    begin = end;
-  }
+void OpponentFusion::write(std::size_t most, std::vector<regista_opponent>& out) {
   for (Cluster& each : clusters_) {
     each.likelihood = (1.0 - each.missing) * -std::expm1(-near_place * near_place / each.trace);
   }
@@ -361,10 +355,8 @@ void OpponentFusion::fuse(std::span<const Estimate> estimates, std::vector<regis
     if (a.likelihood != b.likelihood) return a.likelihood > b.likelihood;
     return a.age != b.age ? a.age < b.age : a.label < b.label;
   });
-  if (clusters_.size() > most_) clusters_.resize(most_);
-
   out.clear();
-  for (const Cluster& cluster : clusters_) {
+  for (const Cluster& cluster : std::span(clusters_).first(std::min(most, clusters_.size()))) {
     regista_opponent& opponent = out.emplace_back();
     opponent = {};
     opponent.label = cluster.label;

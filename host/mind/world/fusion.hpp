@@ -140,44 +140,44 @@ regista_ball fuse_ball(std::span<const Estimate> estimates);
 
 // Fuses the opponents of several sources: track-to-track association by the nearest pair first (Bar-Shalom and Li,
 // Multitarget-Multisensor Tracking, 1995, section 8.3), then covariance intersection with the weights of Niehsen.
-// Estimates of one source are different robots, and follow each other in the list. An estimate and what earlier sources
-// have of a robot are the same one if their squared Mahalanobis distance is at most 9.21 (99 % of true pairs) and they
-// are within 2 m, beyond which an old estimate would fit anybody. So two sources that have just seen two robots side by
-// side have two robots, and an old place joins the robot that has been seen since.
-// fuse() replaces `out` with at most `most` opponents. That one comes first which most likely exists and is within 1 m
-// of its place: where more are known than can play, the least sure place gives way. fuse() ignores estimates of the
-// source `without`.
+// Tracks of one source are different robots. A track and what earlier sources have of a robot are the same one if their
+// squared Mahalanobis distance is at most 9.21 (99 % of true pairs) and they are within 2 m, beyond which an old track
+// would fit anybody. So two sources that have just seen two robots side by side have two robots, and an old place joins
+// the robot that has been seen since.
 class OpponentFusion {
  public:
-  explicit OpponentFusion(std::size_t most) : most_(most) {
-    clusters_.reserve(64 + 5 * most);  // reserves memory for this robot's camera and each robot's packet
-    pairs_.reserve(2048);
-  }
-  void fuse(std::span<const Estimate> estimates, std::vector<regista_opponent>& out, int without = -1);
+  OpponentFusion() { clusters_.reserve(128); }
+  void clear() { clusters_.clear(); }
+  // Adds all tracks of one source (numbers as in Estimate); each source once. Sources may be added in any order, but
+  // the order decides where more than one association is possible.
+  void add(std::span<const regista_track> tracks, int source);
+  // Replaces `out` with at most `most` opponents. That one comes first which most likely exists and is within 1 m of
+  // its place: where more are known than can play, the least sure place gives way. More sources may be added
+  // afterwards.
+  void write(std::size_t most, std::vector<regista_opponent>& out);
 
  private:
-  struct Cluster {                              // the estimates of one opponent
-    Vector2d weighted_sum, position, velocity;  // means, weighted by information
-    double information = 0.0;                   // sum of 1 / trace of the covariances
-    double information2 = 0.0;                  // sum of 1 / trace^2
-    double trace = 0.0;                         // of the covariance of `position`
-    double missing = 1.0;                       // probability that no estimate of the cluster is real
-    double likelihood = 0.0;                    // of an opponent near this place
+  struct Cluster {       // the tracks of one opponent
+    Vector2d position;   // weighted_sum / information2
+    double trace = 0.0;  // of the covariance of `position`
+    int source = 0;      // of the last track
+    int label = 0;
+    Vector2d weighted_sum, velocity;  // means, weighted by information
+    double information = 0.0;         // sum of 1 / trace of the covariances
+    double information2 = 0.0;        // sum of 1 / trace^2
+    double missing = 1.0;             // probability that no track of the cluster is real
+    double likelihood = 0.0;          // of an opponent near this place
     double age = 0.0;
     double best_trace = 0.0;
-    int label = 0;
-    int source = 0;  // of the last estimate
+    void add(const regista_track& track, int from);
   };
-  struct Pair {
-    double distance;  // squared Mahalanobis
-    std::size_t estimate, cluster;
+  struct Pair {       // of a track and the nearest cluster without a track of the same source
+    double distance;  // squared Mahalanobis; infinity: none is near enough
+    std::size_t cluster;
   };
-  void associate(std::span<const Estimate> of_one_source);
-  static void add(Cluster& cluster, const Estimate& estimate);
+  Pair nearest(const regista_track& track, int source) const;
 
-  std::size_t most_;
   std::vector<Cluster> clusters_;
-  std::vector<Pair> pairs_;
 };
 
 // Negative information (Hoffmann, Spranger, Göhring and Jüngel 2005): to see no ball at its estimated place refutes it.

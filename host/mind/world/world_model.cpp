@@ -270,12 +270,6 @@ void TeamModel::balls(int except, std::vector<Estimate>& out) const {
   }
 }
 
-void TeamModel::opponents(std::vector<Estimate>& out) const {
-  for (std::size_t i = 0; i < members_.size(); ++i) {
-    for (const regista_track& track : members_[i].opponent_tracks) out.push_back({&track, static_cast<int>(i) + 1});
-  }
-}
-
 WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team, FrameParts made)
     : plan_(&plan),
       made_(made),
@@ -284,9 +278,8 @@ WorldModel::WorldModel(const TeamPlan& plan, int own_number, LocalModel local, T
       team_(std::move(team)),
       mine_(plan.rules().team_size),
       common_(plan.rules().team_size),
-      negative_(plan.rules().team_size),
-      fusion_(static_cast<std::size_t>(plan.rules().team_size)) {
-  estimates_.reserve(256);
+      negative_(plan.rules().team_size) {
+  estimates_.reserve(static_cast<std::size_t>(plan.rules().team_size));
   seen_teammates_.reserve(static_cast<std::size_t>(plan.rules().team_size));
 }
 
@@ -352,13 +345,16 @@ void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
   common_.ball_state = fuse_ball(estimates_);
 }
 
+// `mine` is `common` and what this robot's camera has seen since its own packets. Covariance intersection allows for
+// what both know.
 void WorldModel::fuse_opponents() {
-  constexpr int own_eyes = 0;
-  estimates_.clear();
-  for (const regista_track& opponent : local_.opponents()) estimates_.push_back({&opponent, own_eyes});
-  team_.opponents(estimates_);
-  fusion_.fuse(estimates_, mine_.opponents, own_number_);
-  if (made_.common_opponents) fusion_.fuse(estimates_, common_.opponents, own_eyes);
+  const auto most = static_cast<std::size_t>(plan_->rules().team_size);
+  fusion_.clear();
+  for (int number = 1; number <= plan_->rules().team_size; ++number) fusion_.add(team_.opponents(number), number);
+  if (made_.common_opponents) fusion_.write(most, common_.opponents);
+  constexpr int own_camera = 0;
+  fusion_.add(local_.opponents(), own_camera);
+  fusion_.write(most, mine_.opponents);
 }
 
 // Fills the robots of both worlds from packets. fill_self() later fills this robot's row of `mine`.

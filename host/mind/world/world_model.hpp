@@ -131,9 +131,11 @@ class TeamModel {
   }
   // Returns the track of robot `number`, carried forward; null before the robot's first packet.
   const regista_track* track(int number) const { return members_[static_cast<std::size_t>(number - 1)].track; }
-  // Append the balls of all robots except `except` (0: no exception), or the opponents of all robots, to `out`.
+  // Appends the balls of all robots except `except` (0: no exception) to `out`.
   void balls(int except, std::vector<Estimate>& out) const;
-  void opponents(std::vector<Estimate>& out) const;
+  std::span<const regista_track> opponents(int number) const {
+    return members_[static_cast<std::size_t>(number - 1)].opponent_tracks;
+  }
 
  private:
   struct Member {

@@ -39,33 +39,43 @@ inline double distance(const Point& a, const Point& b) { return std::sqrt(square
 class Ways {
  public:
   void reserve(std::size_t nodes, std::size_t edges) {
-    edges_.reserve(edges);
+    first_.reserve(nodes + 1);
+    steps_.reserve(2 * edges);
     length_.reserve(nodes);
     done_.reserve(nodes);
   }
 
   void set(const Graph& graph) {
-    count_ = graph.nodes.size();
-    edges_.clear();
+    first_.assign(graph.nodes.size() + 1, 0);
+    steps_.resize(2 * graph.edges.size());
     for (const Edge& edge : graph.edges) {
-      edges_.push_back({edge.from, edge.to, distance(graph.nodes[edge.from], graph.nodes[edge.to])});
+      ++first_[edge.from];
+      ++first_[edge.to];
+    }
+    std::size_t end = 0;
+    for (std::size_t& first : first_) first = end += first;
+    for (const Edge& edge : graph.edges) {  // the steps of a node are filled from their end
+      const double length = distance(graph.nodes[edge.from], graph.nodes[edge.to]);
+      steps_[--first_[edge.from]] = {edge.to, length};
+      steps_[--first_[edge.to]] = {edge.from, length};
     }
   }
 
   // Their lengths from every node to `goal`, infinity where there is none. Valid until the next call.
   std::span<const double> to(std::size_t goal) {
-    length_.assign(count_, infinity);
-    done_.assign(count_, 0);
+    const std::size_t count = first_.size() - 1;
+    length_.assign(count, infinity);
+    done_.assign(count, 0);
     length_[goal] = 0.0;
-    for (std::size_t nearest = goal; nearest != count_;) {
+    for (std::size_t nearest = goal; nearest != count;) {
       done_[nearest] = 1;
-      for (const Measured& edge : edges_) {
-        if (edge.from == nearest) length_[edge.to] = std::min(length_[edge.to], length_[nearest] + edge.length);
-        if (edge.to == nearest) length_[edge.from] = std::min(length_[edge.from], length_[nearest] + edge.length);
+      for (std::size_t i = first_[nearest]; i < first_[nearest + 1]; ++i) {
+        double& length = length_[steps_[i].to];
+        length = std::min(length, length_[nearest] + steps_[i].length);
       }
-      nearest = count_;
+      nearest = count;
       double least = infinity;
-      for (std::size_t i = 0; i < count_; ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         if (done_[i] == 0 && length_[i] < least) {
           least = length_[i];
           nearest = i;
@@ -76,12 +86,12 @@ class Ways {
   }
 
  private:
-  struct Measured {
-    std::size_t from, to;
+  struct Step {
+    std::size_t to;
     double length;
   };
-  std::size_t count_ = 0;
-  std::vector<Measured> edges_;
+  std::vector<std::size_t> first_;  // first_[i] to first_[i + 1]: the steps from node i
+  std::vector<Step> steps_;
   std::vector<double> length_;
   std::vector<char> done_;
 };

@@ -289,11 +289,15 @@ Told opponent(double x, double y, double variance, int source, int label, double
   return out;
 }
 
-std::vector<regista_opponent> fused(std::vector<Told> estimates, std::size_t most = 7) {
-  std::ranges::stable_sort(estimates, {}, &Told::source);
-  OpponentFusion fusion(most);
+std::vector<regista_opponent> fused(const std::vector<Told>& estimates, std::size_t most = 7) {
+  std::map<int, std::vector<regista_track>> by_source;
+  for (const Told& each : estimates) by_source[each.source].push_back(each.track);
+  OpponentFusion fusion;
   std::vector<regista_opponent> out;
-  fusion.fuse(views(estimates), out);
+  for (const auto& [source, tracks] : by_source) {
+    fusion.add(tracks, source);
+    fusion.write(most, out);  // what has been written changes nothing of what is added later
+  }
   return out;
 }
 
