@@ -5,9 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <string_view>
 
-#include "command/options_declared.hpp"
 #include "config/errors.hpp"
 #include "texts/message.hpp"
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <sstream>
-#include <string_view>
 #include <utility>
 #include <variant>
 

@@ -10,13 +10,11 @@
 #include <cassert>
 #include <charconv>
 #include <csignal>
-#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <string_view>
 #include <system_error>
 
 #include "output/replaced_file.hpp"

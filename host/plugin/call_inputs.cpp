@@ -3,8 +3,6 @@
 
 #include <xxhash.h>
 
-#include <algorithm>
-#include <cstring>
 #include <limits>
 
 namespace regista::plugin {

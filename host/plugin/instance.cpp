@@ -5,8 +5,6 @@
 #include <exception>
 #include <stdexcept>
 
-#include "texts/message.hpp"
-
 namespace regista::plugin {
 namespace {
 

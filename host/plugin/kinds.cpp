@@ -8,7 +8,6 @@
 #include <limits>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 #include "texts/message.hpp"
 

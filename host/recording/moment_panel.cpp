@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
 #include "recording/moment_svg.hpp"
 #include "texts/message.hpp"

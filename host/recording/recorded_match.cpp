@@ -9,7 +9,6 @@
 #include <deque>
 #include <limits>
 #include <map>
-#include <optional>
 #include <string_view>
 #include <system_error>
 

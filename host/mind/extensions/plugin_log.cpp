@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <regista/extensions/log.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "campaign/job.hpp"
 #include "plugin/shared_object.hpp"
 
 namespace regista::study {
