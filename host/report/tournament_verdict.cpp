@@ -90,27 +90,24 @@ Sentence by_value(const TournamentView& view, const Meeting& meeting, const std:
                                            << team(view, meeting.pairing.second) << ".";
 }
 
-// Makes the text of a tournament without a verdict. The text has no numbers, which would look like a verdict.
-void no_verdict(const TournamentView& view, TournamentVerdict& out) {
-  out.sentence = prevented_headline(view.course.unplayed_pairs()) + ".";
-  out.beside.clear();
+// Returns the text of a tournament without a verdict. The text has no numbers, which would look like a verdict.
+TournamentVerdict no_verdict(const TournamentView& view) {
+  return {prevented_headline(view.course.unplayed_pairs()) + ".", {}};
 }
 
-void of_sequential_test(const TournamentView& view, const Meeting& meeting, TournamentVerdict& out) {
+// `out` has the numbers that stand beside the verdict.
+TournamentVerdict of_sequential_test(const TournamentView& view, const Meeting& meeting, TournamentVerdict out) {
   const study::Verdict verdict = view.course.verdict();
   const study::Objective objective = view.plan.objective();
   const auto* const score = std::get_if<study::ScoreTest>(&objective);
-  if (verdict == study::Verdict::prevented) {
-    no_verdict(view, out);
-    return;
-  }
+  if (verdict == study::Verdict::prevented) return no_verdict(view);
   std::string few = score != nullptr ? what_the_test_rests_on(score_law(meeting.pairs)) : "";
   if (!few.empty()) few.insert(0, " ");
   if (verdict == study::Verdict::inconclusive) {
     out.sentence =
         view.course.complete() ? Sentence("The test ended without a verdict on ") : Sentence("No verdict yet on ");
     out.sentence << team(view, 0) << " and " << team(view, 1) << "." << few;
-    return;
+    return out;
   }
   const bool h1 = verdict == study::Verdict::accept_h1;
   if (score != nullptr) {
@@ -131,39 +128,29 @@ void of_sequential_test(const TournamentView& view, const Meeting& meeting, Tour
   }
   out.beside.push_back(
       "Elo and the other estimates are biased towards the verdict, because the test decided when to stop.");
+  return out;
 }
 
-void of_two(const TournamentView& view, TournamentVerdict& out) {
+TournamentVerdict of_two(const TournamentView& view) {
   const Meeting& meeting = view.course.meetings().front();
-  if (total(meeting.pairs) == 0) {
-    out.sentence = "No pair of matches has been played to its end yet: nothing can be said.";
-    return;
-  }
-  out.beside.push_back(numbers_of(view, meeting));
+  if (total(meeting.pairs) == 0) return {"No pair of matches has been played to its end yet: nothing can be said.", {}};
+  const Sentence both = team(view, 0) << " and " << team(view, 1);
+  TournamentVerdict out{both, {numbers_of(view, meeting)}};
   if (study::equal_teams(view.plan, meeting.pairing)) {
-    out.sentence << team(view, 0) << " and " << team(view, 1)
-                 << " are the same team: every pair is even by construction.";
-    return;
+    out.sentence << " are the same team: every pair is even by construction.";
+    return out;
   }
-  if (view.course.verdict() != study::Verdict::none) {
-    of_sequential_test(view, meeting, out);
-    return;
-  }
+  if (view.course.verdict() != study::Verdict::none) return of_sequential_test(view, meeting, std::move(out));
   if (!view.course.complete()) {
-    out.sentence = Sentence("Not at its end yet: no verdict on ") << team(view, 0) << " and " << team(view, 1) << ".";
-    return;
+    out.sentence = Sentence("Not at its end yet: no verdict on ") << both << ".";
+    return out;
   }
   const PValues values = p_values(view.course);
-  if (values.prevented.front()) {
-    no_verdict(view, out);
-    return;
-  }
-  const int side = decided_for(view.course, values, 0);
-  if (side != 0) {
+  if (values.prevented.front()) return no_verdict(view);
+  if (const int side = decided_for(view.course, values, 0); side != 0) {
     out.sentence = beats(view, meeting, side);
   } else {
-    out.sentence = Sentence("Not decided between ")
-                   << team(view, 0) << " and " << team(view, 1) << ". " << what_more_would_find(view, meeting);
+    out.sentence = Sentence("Not decided between ") << both << ". " << what_more_would_find(view, meeting);
     const Strength known = *strength(view.course, meeting);
     // With few pairs, Student's interval may exclude 0 although the sign-flip test, which decides, finds nothing.
     if (known.goals_t && known.goals_t->interval.contains(0.0)) {
@@ -180,24 +167,27 @@ void of_two(const TournamentView& view, TournamentVerdict& out) {
       fmt::format("If the teams were equal, goals as unequal as these would have a probability of {:.2g} (exact sign "
                   "flips of the pairs' goal differences).",
                   values.adjusted.front()));
+  return out;
 }
 
-void of_gauntlet(const TournamentView& view, const PValues& p, TournamentVerdict& out) {
+TournamentVerdict of_gauntlet(const TournamentView& view, const PValues& p) {
   std::array<std::uint64_t, 3> counts{};
-  const auto without_verdict = std::ranges::count(p.prevented, true);
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) {
     ++counts[static_cast<std::size_t>(decided_for(view.course, p, i) + 1)];
   }
+  TournamentVerdict out;
   out.sentence = team(view, 0) << fmt::format(" against {} others: beats {}, loses to {}, not decided against {}.",
                                               p.adjusted.size(), counts[2], counts[0], counts[1]);
+  const auto without_verdict = std::ranges::count(p.prevented, true);
   if (view.course.complete() && without_verdict > 0) {
     out.beside.push_back(
         fmt::format("{} of those not decided depend on pairs that could not be played, so there is no verdict on them.",
                     without_verdict));
   }
+  return out;
 }
 
-void of_round_robin(const TournamentView& view, const PValues& p, TournamentVerdict& out) {
+TournamentVerdict of_round_robin(const TournamentView& view, const PValues& p) {
   const std::vector<Ranked> ranks = ranking(view.plan, view.course);
   const std::size_t best = ranks[0].team, next = ranks[1].team;
   const auto together = std::ranges::count_if(ranks, [&](const Ranked& each) {
@@ -205,81 +195,61 @@ void of_round_robin(const TournamentView& view, const PValues& p, TournamentVerd
            each.elo.has_value() == ranks[0].elo.has_value() &&
            (!each.elo || std::abs(each.elo->value - ranks[0].elo->value) < 1e-6);
   });
-  if (together == std::ssize(ranks)) {
-    out.sentence = fmt::format("All {} teams have the same points.", ranks.size());
-    return;
-  }
+  if (together == std::ssize(ranks)) return {fmt::format("All {} teams have the same points.", ranks.size()), {}};
   if (!leads_either_way(view.plan, view.course, best)) {
-    no_verdict(view, out);
+    TournamentVerdict out = no_verdict(view);
     out.beside.push_back("Which team leads depends on which team these pairs are counted for.");
-    return;
+    return out;
   }
   std::vector<int> decided;  // result of decided_for() for each pairing
   for (std::size_t i = 0; i < p.adjusted.size(); ++i) decided.push_back(decided_for(view.course, p, i));
   if (view.course.complete() && std::ranges::count(decided, 0) == std::ssize(decided)) {
-    out.sentence = fmt::format("No difference was found between {} teams", ranks.size());
-    if (const std::string few = too_few_pairs(view.plan); !few.empty()) {
-      out.sentence << ". " + few + ".";
-    } else if (together == 1) {
-      out.sentence << "; " << team(view, best) << " has the highest rating.";
-    } else {
-      out.sentence << ".";
-    }
-    return;
+    Sentence none = fmt::format("No difference was found between {} teams", ranks.size());
+    if (const std::string few = too_few_pairs(view.plan); !few.empty()) return {none << ". " + few + ".", {}};
+    if (together == 1) none << "; " << team(view, best) << " has the highest rating";
+    return {none << ".", {}};
   }
-  out.sentence = team(view, best);
-  if (together > 1) {
-    out.sentence << fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size());
-    return;
-  }
-  out.sentence << fmt::format(" leads {} teams.", ranks.size());
-  if (!view.course.complete()) return;
-  for (std::size_t i = 0; i < decided.size(); ++i) {
+  Sentence out = team(view, best);
+  if (together > 1) return {out << fmt::format(" and {} more lead {} teams together.", together - 1, ranks.size()), {}};
+  out << fmt::format(" leads {} teams.", ranks.size());
+  for (std::size_t i = 0; view.course.complete() && i < decided.size(); ++i) {
     const Meeting& meeting = view.course.meetings()[i];
     if (std::minmax(meeting.pairing.first, meeting.pairing.second) != std::minmax(best, next)) continue;
     if (decided[i] != 0) {
-      out.sentence << " " << beats(view, meeting, decided[i]);
+      out << " " << beats(view, meeting, decided[i]);
     } else {
-      out.sentence << " No difference from " << team(view, next) << ", the second team, was found.";
+      out << " No difference from " << team(view, next) << ", the second team, was found.";
     }
   }
+  return {out, {}};
 }
 
 // Who leads a Swiss tournament, or has won a knock-out. The rounds rank teams, and test no difference between them.
-void of_rounds(const TournamentView& view, TournamentVerdict& out) {
+Sentence of_rounds(const TournamentView& view) {
   const auto rounds = view.course.calendar().drawn();
   if (view.plan.asked.format == config::Tournament::Format::knock_out) {
     const auto last =
         std::ranges::find_if(rounds.rbegin(), rounds.rend(), [](const auto& each) { return !each.empty(); });
-    if (!view.course.complete() || last == rounds.rend()) {
-      out.sentence = fmt::format("Round {} of {} is played.", rounds.size(), view.plan.rounds());
-    } else {
-      out.sentence = team(view, view.course.winner(view.course.meetings()[last->front()])) << " wins the knock-out.";
-    }
-    return;
+    if (!view.course.complete() || last == rounds.rend())
+      return fmt::format("Round {} of {} is played.", rounds.size(), view.plan.rounds());
+    return team(view, view.course.winner(view.course.meetings()[last->front()])) << " wins the knock-out.";
   }
   const std::vector<double> points = view.course.swiss_standing().points;
   const double most = *std::ranges::max_element(points);
   const auto leader = static_cast<std::size_t>(std::ranges::find(points, most) - points.begin());
   const auto together = std::ranges::count(points, most);
-  out.sentence = team(view, leader);
-  if (together > 1) out.sentence << fmt::format(" and {} more", together - 1);
-  out.sentence << fmt::format(" {} most points, {:.1f}, in round {} of {}.", together > 1 ? "have" : "has", most,
-                              rounds.size(), view.plan.rounds());
+  Sentence out = team(view, leader);
+  if (together > 1) out << fmt::format(" and {} more", together - 1);
+  return out << fmt::format(" {} most points, {:.1f}, in round {} of {}.", together > 1 ? "have" : "has", most,
+                            rounds.size(), view.plan.rounds());
 }
 
-void of_several(const TournamentView& view, TournamentVerdict& out) {
-  if (view.course.matches() == 0) {
-    out.sentence = "No match has been played yet: nothing can be said.";
-    return;
-  }
+TournamentVerdict of_several(const TournamentView& view) {
+  if (view.course.matches() == 0) return {"No match has been played yet: nothing can be said.", {}};
   const PValues p = p_values(view.course);
-  if (view.plan.asked.format == config::Tournament::Format::gauntlet)
-    of_gauntlet(view, p, out);
-  else if (view.plan.rounds() > 0)
-    of_rounds(view, out);
-  else
-    of_round_robin(view, p, out);
+  TournamentVerdict out = view.plan.asked.format == config::Tournament::Format::gauntlet ? of_gauntlet(view, p)
+                          : view.plan.rounds() > 0 ? TournamentVerdict{of_rounds(view), {}}
+                                                   : of_round_robin(view, p);
   if (!view.course.complete()) {
     out.beside.push_back("The tournament is not at its end: none of this is a finding yet.");
   } else {
@@ -288,16 +258,13 @@ void of_several(const TournamentView& view, TournamentVerdict& out) {
         "corrected by Holm for the number of pairings.",
         100.0 * significance_level));
   }
+  return out;
 }
 
 }  // namespace
 
 TournamentVerdict tournament_verdict(const TournamentView& view) {
-  TournamentVerdict out;
-  if (view.plan.teams.size() == 2)
-    of_two(view, out);
-  else
-    of_several(view, out);
+  TournamentVerdict out = view.plan.teams.size() == 2 ? of_two(view) : of_several(view);
   out.sentence = Sentence(caution(view.course.remarks(), view.plan.limits())) << out.sentence;
   for (const study::SetAside& each : view.course.set_aside()) {
     const std::string whose = each.plugin.empty() ? "a plugin of it" : "its plugin " + each.plugin;
