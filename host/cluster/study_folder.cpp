@@ -282,10 +282,7 @@ class Gathering {
       out_.refused += taken.refused;
       std::error_code none;
       fs::remove(folder_.progress(part.task), none);
-      if (taken.refused == 0) {
-        remove_with_journal(part.path);
-        return;
-      }
+      if (taken.refused == 0) return remove_with_journal(part.path);
       for (const std::string& each : taken.why) remark(part, each);
       set_aside(folder_, part.path);
     } catch (const campaign::StoreInUse&) {

@@ -123,10 +123,7 @@ void merge_element(std::vector<Node>& elements, const Node::Entry& entry) {
     throw Error(entry.key_where, texts::unknown("element", entry.key, "", names_of(elements)) +
                                      "; a new one says where it goes, before: NAME or after: NAME");
   }
-  if (!there) {
-    insert(elements, entry.value, over["name"] ? over : with_name(over, entry));
-    return;
-  }
+  if (!there) return insert(elements, entry.value, over["name"] ? over : with_name(over, entry));
   Node merged = merge(*at, over);
   if (!has_place) {
     *at = std::move(merged);

@@ -262,10 +262,7 @@ class Builder : public YAML::EventHandler {
     Open& into = open_.back();
     into.extent.nodes += extent.nodes;
     into.extent.depth = std::max(into.extent.depth, extent.depth + 1);
-    if (!into.map) {
-      into.elements.push_back(std::move(node));
-      return;
-    }
+    if (!into.map) return into.elements.push_back(std::move(node));
     into.key->value = std::move(node);
     into.entries.push_back(std::move(*into.key));
     into.key.reset();

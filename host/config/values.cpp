@@ -97,10 +97,7 @@ class Page {
     map(section.open(), node, indent + 2);
   }
   void write(const Field& field, const List& list, const Node& node, int indent) {
-    if (list.size() == 0) {
-      line(field, "[]", "", node, indent);
-      return;
-    }
+    if (list.size() == 0) return line(field, "[]", "", node, indent);
     heading(field, indent);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const std::span<const Node> elements = node.elements();
@@ -108,10 +105,7 @@ class Page {
     }
   }
   void write(const Field& declared, const Dictionary& dictionary, const Node& node, int indent) {
-    if (dictionary.size() == 0) {
-      line(declared, "{}", "", node, indent);
-      return;
-    }
+    if (dictionary.size() == 0) return line(declared, "{}", "", node, indent);
     heading(declared, indent);
     for (std::size_t i = 0; i < dictionary.size(); ++i) {
       const Field entry = dictionary.element(i);
@@ -204,10 +198,8 @@ std::string in_words(const Node& node) {
 // Adds the differences of two values without a declaration. Maps are compared key by key, other values as a whole.
 void compare_freely(const std::string& path, const Node& before, const Node& now, std::vector<std::string>& out) {
   if (same(before, now)) return;
-  if (before.kind() != Node::Kind::map && now.kind() != Node::Kind::map) {
-    out.push_back(fmt::format("{}: was {}, now {}", path, in_words(before), in_words(now)));
-    return;
-  }
+  if (before.kind() != Node::Kind::map && now.kind() != Node::Kind::map)
+    return out.push_back(fmt::format("{}: was {}, now {}", path, in_words(before), in_words(now)));
   std::set<std::string> keys;
   for (const Node* side : {&before, &now}) {
     for (const Node::Entry& each : side->entries()) keys.insert(each.key);

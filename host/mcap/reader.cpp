@@ -305,10 +305,7 @@ bool Reader::take_message(Message& message) {
 }
 
 void Reader::define(const RawRecord& record) {
-  if (record.opcode == Opcode::schema) {
-    definitions_.define(decode<Schema>(record.content));
-    return;
-  }
+  if (record.opcode == Opcode::schema) return definitions_.define(decode<Schema>(record.content));
   Channel channel = decode<Channel>(record.content);
   const ChannelId id = channel.id;
   if (definitions_.define(std::move(channel))) note_wanted(channels().at(id));

@@ -100,10 +100,7 @@ void Writer::write(const Metadata& metadata) {
 void Writer::finish_chunk() {
   check_open();
   if (filling_.records.empty()) return;
-  if (!background_) {
-    store(filling_);
-    return;
-  }
+  if (!background_) return store(filling_);
   background_->wait();
   std::swap(filling_, finished_);
   filling_.places.resize(channels_.size());

@@ -124,10 +124,7 @@ std::vector<OutputFiles::Place> OutputFiles::all_reads() const {
 void OutputFiles::write(const std::string& who, const fs::path& file, Writes what) {
   if (file.empty() || ((what == Writes::page || what == Writes::drawing) && file == "-")) return;
   if (what == Writes::sources) return;  // write_new_folder() never touches existing files
-  if (what == Writes::figures) {
-    folders_.push_back({who, Place(file), figure_endings});
-    return;
-  }
+  if (what == Writes::figures) return folders_.push_back({who, Place(file), figure_endings});
   Output output{who, Place(file), what};
   const auto known = [&](const Output& other) { return other.what == what && other.place.same(output.place); };
   if (std::ranges::none_of(outputs_, known)) outputs_.push_back(std::move(output));

@@ -110,10 +110,7 @@ void add_metric(const TournamentView& view, const Meeting& meeting, Section& lin
 void add_goals(const TournamentView& view, const Meeting& meeting, const std::optional<Strength>& known, Section& lines,
                Table& table, Table& others) {
   std::string goals = fmt::format("Goals: {}:{}", meeting.goals[0], meeting.goals[1]);
-  if (!known) {
-    lines.line(goals, Readers::terminal);
-    return;
-  }
+  if (!known) return lines.line(goals, Readers::terminal);
   const bool fixed_number = is_of_fixed_number(view.plan, view.course);
   const bool with_t = fixed_number && known->goals_t;
   const double mean = meeting.goals_of_pairs.mean();

@@ -143,10 +143,8 @@ void add_what_they_bring(std::span<const PlayedTeam> teams, std::vector<Differin
 }
 
 void add_differences(std::span<const PlayedTeam> teams, const std::vector<DifferingValue>& rows, Section& out) {
-  if (rows.empty()) {
-    out.line("The resolved documents are the same, and so are disturbances, plugins and files.", Readers::page);
-    return;
-  }
+  if (rows.empty())
+    return out.line("The resolved documents are the same, and so are disturbances, plugins and files.", Readers::page);
   Table table{{{"Value", Column::words}}};
   for (std::size_t i = 0; i < rows.front().values.size(); ++i)
     table.headings.push_back({named(teams[i].name), Column::words});
