@@ -403,7 +403,7 @@ void add_config_draw(Command& parent, const Invocation& /*invocation*/) {
   command.take("-o,--output", options->output, "FILE", "write this file, - for standard output", Writes::drawing);
   command.flag("--force", options->force, "replace a page or another picture");
   command.notes(config_draw_examples);
-  command.run = [options, &command] { return draw(*options, output::OutputFiles(command.given(), "command")); };
+  command.run = [options, &command] { return draw(*options, command.outputs("command")); };
 }
 
 }  // namespace regista::cli

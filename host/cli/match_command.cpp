@@ -403,9 +403,7 @@ void add_match(Command& parent, const Invocation& invocation) {
                "play in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--verbose", options->verbose, "a line on standard error for each goal");
   command.notes(match_examples);
-  command.run = [options, &command, &invocation] {
-    return play(*options, output::OutputFiles(command.given(), "match"), invocation);
-  };
+  command.run = [options, &command, &invocation] { return play(*options, command.outputs("match"), invocation); };
 }
 
 void add_view(Command& parent, const Invocation& invocation) {
@@ -422,9 +420,7 @@ void add_view(Command& parent, const Invocation& invocation) {
                "of --robot: of what its plugins drew only this layer; may be repeated");
   command.flag("--force", options->force, "replace an existing file");
   command.notes(view_examples);
-  command.run = [options, &command, &invocation] {
-    return run(*options, output::OutputFiles(command.given(), "view"), invocation);
-  };
+  command.run = [options, &command, &invocation] { return run(*options, command.outputs("view"), invocation); };
 }
 
 }  // namespace regista::cli

@@ -337,9 +337,7 @@ void add_report(Command& parent, const Invocation& invocation) {
                "write what plugins wrote to standard error in this match");
   command.flag("--force", options->force, "replace files that exist already");
   command.notes(report_examples);
-  command.run = [options, &command, &invocation] {
-    return run(*options, output::OutputFiles(command.given(), "report"), invocation);
-  };
+  command.run = [options, &command, &invocation] { return run(*options, command.outputs("report"), invocation); };
 }
 
 void add_results(Command& parent, const Invocation& invocation) {

@@ -306,9 +306,7 @@ void add_run(Command& parent, const Invocation& invocation) {
   add_campaign_options(command, *options, "the study's name with .db");
   add_cluster_options(command, options->on_cluster);
   command.notes(run_examples);
-  command.run = [options, &command, &invocation] {
-    return play(*options, output::OutputFiles(command.given(), "study"), invocation);
-  };
+  command.run = [options, &command, &invocation] { return play(*options, command.outputs("study"), invocation); };
 }
 
 void add_resume(Command& parent, const Invocation& invocation) {
@@ -320,9 +318,7 @@ void add_resume(Command& parent, const Invocation& invocation) {
                "of a tournament or an experiment: play so many pairs of matches in all, of each pairing or arm");
   add_playing_options(command, *options);
   command.notes(resume_examples);
-  command.run = [options, &command, &invocation] {
-    return play(*options, output::OutputFiles(command.given(), "study"), invocation);
-  };
+  command.run = [options, &command, &invocation] { return play(*options, command.outputs("study"), invocation); };
 }
 
 void add_gather(Command& parent, const Invocation& invocation) {

@@ -257,7 +257,7 @@ void add_tournament(Command& parent, const Invocation& invocation) {
   add_campaign_options(command, *options, "the tournament's name with .db");
   command.notes(tournament_examples);
   command.run = [options, &command, &invocation] {
-    return tournament(*options, output::OutputFiles(command.given(), "tournament"), invocation);
+    return tournament(*options, command.outputs("tournament"), invocation);
   };
 }
 
@@ -278,7 +278,7 @@ void add_experiment(Command& parent, const Invocation& invocation) {
   add_campaign_options(command, *options, "the experiment's name with .db");
   command.notes(experiment_examples);
   command.run = [options, &command, &invocation] {
-    return experiment(*options, output::OutputFiles(command.given(), "experiment"), invocation);
+    return experiment(*options, command.outputs("experiment"), invocation);
   };
 }
 
@@ -352,9 +352,7 @@ void add_tune(Command& parent, const Invocation& invocation) {
   command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");
   add_campaign_options(command, *options, "the tuning's name with .db");
   command.notes(tune_examples);
-  command.run = [options, &command, &invocation] {
-    return tune(*options, output::OutputFiles(command.given(), "tuning"), invocation);
-  };
+  command.run = [options, &command, &invocation] { return tune(*options, command.outputs("tuning"), invocation); };
 }
 
 std::span<const results::StudyKind> study_kinds() {

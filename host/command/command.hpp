@@ -68,6 +68,8 @@ class Command {
   Typed read(const std::vector<std::string>& words, std::size_t width);
 
   std::vector<output::GivenOption> given() const;
+  // The files of the given options. work: noun for messages.
+  output::OutputFiles outputs(const std::string& work) const { return {given(), work}; }
   CommandDeclaration declaration() const;  // of this command and its subcommands, without hidden subcommands
 
  private:
