@@ -50,13 +50,6 @@ struct ConfigCheckOptions {
   bool json = false;
 };
 
-study::Profiles profiles(const ConfigCheckOptions& options) {
-  study::Profiles out;
-  if (!options.rules.empty()) out.rules = config::read_document<config::Rules>(options.rules);
-  if (!options.robot.empty()) out.robots.fill(config::read_document<config::Robot>(options.robot));
-  return out;
-}
-
 void print(const study::DocumentCheck& checked) {
   const std::size_t all = checked.mistakes.size() + checked.more,
                     printed = std::min(checked.mistakes.size(), most_printed);
@@ -85,7 +78,9 @@ Json as_json(const study::DocumentCheck& checked) {
 int check(const ConfigCheckOptions& options, const Invocation& invocation) {
   if (options.files.empty()) throw BadInput("config check: expected at least one file");
   const plugin::Catalogue catalogue = open_plugins(options.plugins, invocation);
-  const study::Profiles by = profiles(options);
+  study::Profiles by;
+  if (!options.rules.empty()) by.rules = config::read_document<config::Rules>(options.rules);
+  if (!options.robot.empty()) by.robots.fill(config::read_document<config::Robot>(options.robot));
   std::vector<study::StudyCheck> studies;
   for (const results::StudyKind& kind : invocation.studies) {
     studies.push_back({kind.document, [&](const config::Node& document, config::Mistakes& mistakes) {
@@ -233,12 +228,6 @@ struct ConfigDrawOptions {
   bool no_ball = false, force = false;
 };
 
-std::array<double, 2> place(const std::string& text) {
-  const config::Location where{"--ball " + text, 0, 0};
-  const config::Place read = config::to_place(config::parse_value("[" + text + "]", where), "where the ball is");
-  return read.point;
-}
-
 // Returns the thing with this name. Throws BadInput if there is none. what: the kind of thing.
 template <class Thing>
 const Thing& named(const std::vector<Thing>& things, const std::string& name, const char* option, const char* what) {
@@ -305,7 +294,8 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   std::vector<std::array<double, 2>> balls;
   const config::Carpet field_margin(rules.field);
   for (const std::string& each : options.balls) {
-    balls.push_back(place(each));
+    const config::Node place = config::parse_value("[" + each + "]", {"--ball " + each, 0, 0});
+    balls.push_back(config::to_place(place, "where the ball is").point);
     if (!field_margin.holds(balls.back())) complain(fmt::format("warning: --ball {}: {}", each, field_margin.off()));
   }
   if (balls.empty() && !options.no_ball) balls.push_back({0.0, 0.0});

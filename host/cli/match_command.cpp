@@ -285,11 +285,6 @@ struct ViewOptions {
   bool force = false;
 };
 
-std::filesystem::path output_of(const ViewOptions& options) {
-  if (!options.output.empty()) return options.output;
-  return std::filesystem::path(options.file).replace_extension(options.at.empty() ? ".html" : ".svg");
-}
-
 // Writes the HTML page of one match of a study.
 int view_row(const ViewOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
   if (!options.at.empty() || !options.robot.empty() || !options.layers.empty())
@@ -329,7 +324,9 @@ int run(const ViewOptions& options, output::OutputFiles outputs, const Invocatio
                        ? "view: --layer belongs to --at and --robot, which are not given"
                        : "view: --layer belongs to --robot, which is not given; a robot's plugins draw layers");
   }
-  const std::filesystem::path output = output_of(options);
+  std::filesystem::path output = options.output;
+  if (output.empty())
+    output = std::filesystem::path(options.file).replace_extension(options.at.empty() ? ".html" : ".svg");
   outputs.write("-o", output, Writes::page);
   outputs.read({results::viewer_file(invocation).string()}, Reads::data);
   try {

@@ -123,14 +123,7 @@ void refuse_name_in_use(const std::string& name, const Invocation& invocation) {
 std::string in_shell(const std::string& word) { return process::shell_line({word}); }
 
 // Returns the word as a quoted argument of CMake.
-std::string in_cmake(const std::string& word) {
-  std::string out = "\"";
-  for (const char c : word) {
-    if (c == '"' || c == '\\' || c == '$') out += '\\';
-    out += c;
-  }
-  return out + '"';
-}
+std::string in_cmake(const std::string& word) { return '"' + texts::with_backslashes(word, "\"\\$") + '"'; }
 
 // How CMake finds the program's SDK.
 struct Sdk {

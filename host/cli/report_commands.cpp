@@ -159,14 +159,9 @@ int play_again(const ReportOptions& options, std::uint64_t matches, const campai
                const Invocation& invocation) {
   const results::StoredResults results{options.file, store, invocation.studies};
   const bool all_same = results::replay_telling(results, static_cast<std::size_t>(matches), invocation);
-  std::optional<std::filesystem::path> page;
-  if (options.page.empty()) {
-    page = results::write_page_beside(results, false);
-    if (!options.figures.empty()) results::write_page(results, page_options(options));
-  } else {
-    results::write_page(results, page_options(options));
-    page = options.page;
-  }
+  const auto page =
+      options.page.empty() ? results::write_page_beside(results, false) : std::filesystem::path(options.page);
+  if (!options.page.empty() || !options.figures.empty()) results::write_page(results, page_options(options));
   if (!page) return exit_no;
   output::print(fmt::format("page: {}\n", page->string()));
   return all_same ? exit_done : exit_no;
