@@ -138,8 +138,7 @@ class ExperimentPlanner : Planner<ExperimentPlan> {
   bool is_known(const std::string& measure) const { return std::ranges::find(known_, measure) != known_.end(); }
 
   void require_measure(const std::string& measure, const config::Location& where, const char* what) const {
-    const bool short_games = !plan_.openings.empty() || plan_.asked.settings.limit;
-    if (const std::string why = why_missing(measure, short_games); !why.empty()) {
+    if (const std::string why = why_missing(measure, plan_.short_games()); !why.empty()) {
       throw config::Error(where, fmt::format("{}: {}", what, why));
     }
     if (!is_known(measure)) throw config::Error(where, texts::unknown("measure", measure, what, known_));

@@ -17,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
 #include "campaign/store.hpp"
 #include "config/errors.hpp"
@@ -42,20 +41,14 @@ using PairTest = config::PairedTest;
 
 inline constexpr std::uint64_t most_experiment_matches = 1'000'000;  // sum over all conditions
 
-struct ExperimentPlan {
-  config::Experiment asked;  // relative paths start at `folder`
-
+struct ExperimentPlan : StudyPlan<config::Experiment> {
   std::vector<Condition> conditions;  // make_jobs() makes them from `asked`, except the jobs' inputs
-  std::vector<Opening> openings;      // all scenes of the document; empty: matches start with kick-off
   std::uint64_t pairs = 0;            // pairs of matches for each condition
   std::string pairs_before;           // values of `pairs` before with_pairs() raised it: "100, 150"
   // Set if a time limit (--until, --minutes), not a result, stopped the experiment: the number of pairs that were
   // played until then.
   std::optional<std::uint64_t> ended_after;
   std::vector<std::string> measures;   // names (study/measure.hpp) in the order of reports
-  std::string folder;                  // absolute path of the folder in which the experiment began
-  std::vector<std::string> plugins;    // folders of --plugins
-  std::string program;                 // version of the program that began the experiment; empty: unknown
   std::vector<std::string> documents;  // resolved documents of arms (at the first swept value) and opponent
 
   std::size_t arms() const { return asked.arms.size(); }
@@ -63,7 +56,6 @@ struct ExperimentPlan {
   std::size_t condition(std::size_t arm, std::size_t value) const { return value * arms() + arm; }
   std::uint64_t matches() const { return 2 * pairs * conditions.size(); }
   std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs); }
-  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
   bool swept() const { return asked.sweep.has_value(); }
   std::string sweep() const { return swept() ? asked.sweep->path : std::string(); }
   std::string value(std::size_t index) const;  // value of the sweep as YAML; empty without a sweep
@@ -71,7 +63,6 @@ struct ExperimentPlan {
   std::string primary() const;  // name of the tested measure; empty: no test
   PairTest test() const { return asked.primary ? asked.primary->test : PairTest::sign_flip; }
   std::vector<Comparison> comparisons() const;
-  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 };
 
 const std::string& team_of(const ExperimentPlan& plan, std::size_t arm);  // file of an arm's team

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
 #include "campaign/match_setup.hpp"
 #include "campaign/store.hpp"
@@ -81,6 +82,21 @@ std::vector<std::string> as_typed(const config::Overrides& settings);
 
 // The seed of pair 0 of a study. Pair k has this seed plus k. If the study hashes its seed, the result is below 2^32.
 std::uint64_t first_seed(std::int64_t seed, config::Seeds seeds);
+
+// What the plans of all studies have in common. Asked: the document of the study.
+template <class Asked>
+struct StudyPlan {
+  Asked asked;                       // relative paths start at `folder`
+  std::vector<Opening> openings;     // all scenes of the document; empty: matches start with kick-off
+  std::string folder;                // absolute path of the folder in which the study began
+  std::vector<std::string> plugins;  // folders of --plugins
+  std::string program;               // version of the program that began the study; empty: unknown
+
+  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
+  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
+  // Returns whether an opening or a limit may end matches earlier than whole matches.
+  bool short_games() const { return !openings.empty() || asked.settings.limit; }
+};
 
 // A job with the rules, robot and limit of these settings. plugins: folders of plugins.
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins);

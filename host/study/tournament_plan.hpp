@@ -15,7 +15,6 @@
 #include <variant>
 #include <vector>
 
-#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
 #include "campaign/store.hpp"
 #include "config/errors.hpp"
@@ -65,19 +64,13 @@ struct Pairing {
   friend auto operator<=>(const Pairing&, const Pairing&) = default;
 };
 
-struct TournamentPlan {
-  config::Tournament asked;  // relative paths start at `folder`
-
-  std::vector<Entrant> teams;     // in the order of asked.teams
-  std::vector<Opening> openings;  // all scenes of the document; empty: matches start with kick-off
-  int most_goals = 0;             // largest goal difference that a match can have, also a forfeit
-  std::string pairs_before;       // values of pairs() before with_pairs() raised it: "100, 150"
+struct TournamentPlan : StudyPlan<config::Tournament> {
+  std::vector<Entrant> teams;  // in the order of asked.teams
+  int most_goals = 0;          // largest goal difference that a match can have, also a forfeit
+  std::string pairs_before;    // values of pairs() before with_pairs() raised it: "100, 150"
   // Set if a time limit (--until, --minutes), not a result, stopped the tournament: the number of pairs that each
   // pairing played until then.
   std::optional<std::uint64_t> ended_after;
-  std::string folder;                // absolute path of the folder in which the tournament began
-  std::vector<std::string> plugins;  // folders of --plugins
-  std::string program;               // version of the program that began the tournament; empty: unknown
   std::vector<campaign::Input> common_inputs;
 
   std::vector<Pairing> pairings() const;  // all pairings that may meet
@@ -85,13 +78,9 @@ struct TournamentPlan {
   std::uint64_t rounds() const;           // 0: the schedule does not depend on results
   std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs()); }
   bool ends_by_the_clock_alone() const;  // true if the user set neither pairs nor a test
-  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
   std::uint64_t matches() const { return 2 * pairs() * meetings(); }
   std::uint64_t meetings() const;  // number of meetings of two teams
   Objective objective() const { return objective_of(asked); }
-  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
-  // Returns whether an opening or a limit may end matches earlier than whole matches.
-  bool short_games() const { return !openings.empty() || asked.settings.limit; }
 };
 
 // The team whose letter() is the first key of a path of the study's `set`; nullopt: the path is for all teams.

@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/engine.hpp"
 #include "campaign/job.hpp"
 #include "config/errors.hpp"
 #include "config/node.hpp"
@@ -53,31 +52,24 @@ struct TuningOpponent {
 // Values of all parameters, in the plan's order.
 using ParameterValues = std::vector<double>;
 
-struct TuningPlan {
-  config::Tuning asked;  // relative paths start at `folder`
-
+struct TuningPlan : StudyPlan<config::Tuning> {
   std::string document;  // resolved document of the base team, with every parameter at its start value
   std::vector<Parameter> parameters;
   // JSON keeps only the labels and job inputs of `opponents` and `base`. complete() makes their other members.
   std::vector<TuningOpponent> opponents;
   TuningOpponent base;                   // the base team as an opponent
-  std::vector<Opening> openings;         // all scenes of the document; empty: matches start with kick-off
   std::vector<ParameterValues> starts;   // the points of search.start_from
   int most_goals = 0;                    // largest goal difference that a match can have, also a forfeit
   std::uint64_t search_pairs = 0;        // most pairs of the whole search, against each opponent
   std::uint64_t pairs = 1;               // pairs for each point; see pairs_of_evaluation()
   std::uint64_t selection_pairs = 0;     // pairs of each finalist against each opponent
   std::uint64_t verification_pairs = 0;  // most pairs of each candidate if there are candidates() candidates
-  std::string folder;                    // absolute path of the folder in which the tuning began
-  std::vector<std::string> plugins;      // folders of --plugins
-  std::string program;                   // version of the program that began the tuning; empty: unknown
 
   // complete() makes these members from `asked`. JSON does not keep them.
   std::vector<std::string> settings;  // "path=value" that replace values of the team's file
   TuningObjective objective;
 
   std::uint64_t seed() const { return static_cast<std::uint64_t>(asked.seed); }
-  std::uint64_t first_seed() const { return study::first_seed(asked.seed, asked.settings.seeds); }
   Algorithm algorithm() const { return algorithm_named(asked.search.algorithm).value(); }
   std::uint64_t population() const { return static_cast<std::uint64_t>(asked.search.population.value_or(0)); }
   std::uint64_t finalists() const { return static_cast<std::uint64_t>(asked.selection.finalists); }  // most finalists
@@ -91,10 +83,7 @@ struct TuningPlan {
   std::uint64_t slice_pairs() const {
     return asked.slices.points == 0 ? 0 : static_cast<std::uint64_t>(asked.slices.pairs);
   }
-  campaign::Limits limits() const { return campaign::limits_of(asked.settings); }
 
-  // Returns whether an opening or a limit may end matches earlier than whole matches.
-  bool short_games() const { return !openings.empty() || asked.settings.limit; }
   std::size_t free_parameters() const;
   std::uint64_t pairs_of_evaluation() const { return asked.search.pairs || wants_replication(algorithm()) ? pairs : 1; }
   // The number of points that the search can try, including the point of the base team.
