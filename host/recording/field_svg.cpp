@@ -18,10 +18,6 @@ constexpr double farthest = 1e9;  // coordinates are clamped to +-1e9, so that n
 
 Point bounded(const Point& p) { return {std::clamp(p[0], -farthest, farthest), std::clamp(p[1], -farthest, farthest)}; }
 
-Point between(const Point& a, const Point& b, double share) {
-  return {a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
-}
-
 // One edge of the rectangle. It bounds x (axis 0) or y (axis 1): inside, sign * coordinate <= sign * limit.
 struct Edge {
   std::size_t axis;
@@ -29,7 +25,8 @@ struct Edge {
 
   double beyond(const Point& p) const { return sign * (p[axis] - limit); }
   Point crossing(const Point& a, const Point& b) const {
-    Point out = between(a, b, beyond(a) / (beyond(a) - beyond(b)));
+    const double share = beyond(a) / (beyond(a) - beyond(b));
+    Point out{a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
     out[axis] = limit;
     return out;
   }

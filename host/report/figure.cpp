@@ -19,8 +19,6 @@ constexpr double letter = 8.2, wide_letter = 14.0;  // widths of characters in c
 constexpr double between_texts = 12.0, between_lines = 24.0;
 constexpr double farthest = 100.0;  // limit for the number of steps, against an endless loop; no axis has so many steps
 
-bool single(const Range& range) { return !(range.high - range.low > 1e-9); }
-
 // Formats a tick with enough decimals to distinguish it from the next tick.
 std::string number(double value, double step) {
   const int decimals = static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
@@ -76,8 +74,8 @@ void Range::take(double value) {
 
 Range Range::with_room() const {
   if (empty()) return {0.0, 1.0};
-  // Rounding may make equal values slightly different, so single() treats them as one value.
-  const double room = single(*this) ? std::max(0.5, 0.1 * std::abs(high)) : 0.06 * (high - low);
+  // Rounding may make equal values slightly different, so they are treated as one value.
+  const double room = high - low > 1e-9 ? 0.06 * (high - low) : std::max(0.5, 0.1 * std::abs(high));
   return {low - room, high + room};
 }
 

@@ -38,10 +38,6 @@ std::string score_text(const ListedMatch& match) {
   return fmt::format("{}:{}", match.score[0], match.score[1]);
 }
 
-Sentence who(const ListedMatch& match) {
-  return named(match.players.sides[0]) << " – " << named(match.players.sides[1]);
-}
-
 Sentence end_of(const ListedMatch& match) {
   if (match.forfeited_by)
     return Sentence("forfeit of ") << named(match.players.sides[static_cast<std::size_t>(*match.forfeited_by)]);
@@ -79,8 +75,9 @@ Table table_of(std::vector<Heading> first) {
 }
 
 void add(Table& table, std::vector<Cell> cells, const ListedMatch& match, const MatchesOnPage& page) {
-  cells.insert(cells.end(), {match.row, who(match), score_text(match), match.players.seed, named(match.players.opening),
-                             replay_cell(match, page)});
+  cells.insert(cells.end(),
+               {match.row, named(match.players.sides[0]) << " – " << named(match.players.sides[1]), score_text(match),
+                match.players.seed, named(match.players.opening), replay_cell(match, page)});
   table.row(std::move(cells));
 }
 

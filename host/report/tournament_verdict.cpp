@@ -31,11 +31,6 @@ Sentence numbers_of(const TournamentView& view, const Meeting& meeting) {
 
 constexpr double worth_finding = 0.5;  // goals per game; smallest difference that matters to readers
 
-// Formats a goal difference: "3.69 goals a match".
-std::string goals_words(const TournamentView& view, double goals, double margin) {
-  return fmt::format("{} goals a {}", rounded(std::abs(goals), margin), game_word(view.plan));
-}
-
 // Returns " (95 % interval 2.90 to 4.48)" for the leading team; empty without an interval.
 std::string interval_clause(const Strength& known) {
   if (!known.goals_t) return {};
@@ -51,7 +46,8 @@ Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
                margin = known.goals_t ? half_width(known.goals_t->interval) : 0.0;
   return team(view, side > 0 ? meeting.pairing.first : meeting.pairing.second)
          << " beats " << team(view, side > 0 ? meeting.pairing.second : meeting.pairing.first)
-         << " by " + goals_words(view, goals, margin) + interval_clause(known) + ".";
+         << fmt::format(" by {} goals a {}{}.", rounded(std::abs(goals), margin), game_word(view.plan),
+                        interval_clause(known));
 }
 
 // Returns a sentence: the played pairs can find a difference of `worth_finding`, or a tournament of how many can.

@@ -37,11 +37,6 @@ std::string games_of(const config::MatchSettings& settings, std::size_t scenes) 
   return limit.empty() ? "whole matches from kick-off" : fmt::format("matches from kick-off, {} s at most", limit);
 }
 
-std::string limits_of(const config::MatchSettings& settings) {
-  return fmt::format("{} s of processor time a call, {} MiB{}", settings.limits.processor_seconds,
-                     settings.limits.memory, settings.allow_shared_memory ? ", robots of a team may share memory" : "");
-}
-
 std::string program_of(const WhatWasPlayed& played) {
   const auto found = std::ranges::find(played.inputs, campaign::program_input, &campaign::Input::name);
   std::string out = played.program.empty() ? std::string("Regista") : "Regista " + played.program;
@@ -177,7 +172,9 @@ WhatWasPlayed what_was_played(const config::MatchSettings& settings, std::span<c
   out.rules = profile_of(common, "rules", settings.rules);
   out.robot = profile_of(common, "robot", settings.robot);
   out.games = games_of(settings, openings.size());
-  out.limits = limits_of(settings);
+  out.limits =
+      fmt::format("{} s of processor time a call, {} MiB{}", settings.limits.processor_seconds, settings.limits.memory,
+                  settings.allow_shared_memory ? ", robots of a team may share memory" : "");
   out.inputs.assign(common.begin(), common.end());
   out.inputs.insert(out.inputs.end(), openings.begin(), openings.end());
   return out;

@@ -73,11 +73,6 @@ class LiveLine {
   Clock::time_point began_ = Clock::now();
 };
 
-std::string interrupted_text(const std::string& again, const match::GameState& state, double time) {
-  return fmt::format("interrupted in half {} at {}, {:.0f} s simulated, score {}:{}; the same match again: {}",
-                     state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again);
-}
-
 std::unique_ptr<recording::MatchRecording> begin_recording(const MatchOptions& options,
                                                            const recording::RecordedSetup& setup) {
   try {
@@ -237,8 +232,11 @@ int play_prepared(const MatchOptions& options, std::vector<std::string> words, c
 
   match::Observer observer;
   observer.second = [&](double time, const match::GameState& state) {
-    if (interruption.requested()) throw Interrupted(interrupted_text(again, state, time), interruption.signal_number());
-    live.second(time, state);
+    if (!interruption.requested()) return live.second(time, state);
+    throw Interrupted(
+        fmt::format("interrupted in half {} at {}, {:.0f} s simulated, score {}:{}; the same match again: {}",
+                    state.half, clock_text(state.clock), time, state.goals[0], state.goals[1], again),
+        interruption.signal_number());
   };
   observer.event = [&](double time, const match::Event& event, const match::GameState& state) {
     live.event(event, state);

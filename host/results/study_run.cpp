@@ -191,11 +191,6 @@ std::string resume_line(const campaign::Options& options, const Invocation& invo
 
 constexpr std::chrono::seconds longest_silence{5};
 
-std::string locked_line(const std::string& results, const campaign::Locked& locked) {
-  if (locked.over) return fmt::format("{}: is free again, and all that waited is written", results);
-  return fmt::format("{}: another program keeps it from being written to; what is played waits in memory", results);
-}
-
 struct Playing {
   const study::Study& study;
   const campaign::Options& options;
@@ -309,8 +304,11 @@ std::optional<std::uint64_t> play(study::Study& study, const campaign::Options& 
   };
   bool reported = false;
   store.when_locked([&](const campaign::Locked& locked) {
-    const std::string line = locked_line(options.results, locked);
-    if (locked.over ? reported : !reported && locked.since > longest_silence) progress.print(line);
+    const char* const what = locked.over
+                                 ? "is free again, and all that waited is written"
+                                 : "another program keeps it from being written to; what is played waits in memory";
+    if (locked.over ? reported : !reported && locked.since > longest_silence)
+      progress.print(fmt::format("{}: {}", options.results, what));
     reported = !locked.over && locked.since > longest_silence;
     return !interruption.requested();
   });

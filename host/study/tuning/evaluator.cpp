@@ -14,10 +14,6 @@ namespace {
   return (point.array() >= 0.0).all() && (point.array() <= 1.0).all();
 }
 
-bool before(const Point& a, const Point& b) {
-  return std::lexicographical_compare(a.data(), a.data() + a.size(), b.data(), b.data() + b.size());
-}
-
 }  // namespace
 
 std::span<const double> Evaluator::ask(std::span<const Point> points, std::uint64_t pairs) {
@@ -52,8 +48,8 @@ double Evaluator::worst() const {
 std::vector<Point> Evaluator::best(std::size_t most) const {
   std::vector<std::size_t> order(points_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return before(points_[a], points_[b]); });
+  std::ranges::stable_sort(order, std::ranges::lexicographical_compare,
+                           [&](std::size_t i) -> const Point& { return points_[i]; });
   struct Place {
     std::size_t first;
     double mean;
