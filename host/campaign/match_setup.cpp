@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -22,6 +21,7 @@
 #include "config/parse.hpp"
 #include "config/read.hpp"
 #include "config/renamed_keys.hpp"
+#include "config/scalar.hpp"
 #include "config/values.hpp"
 #include "match/teams.hpp"
 #include "plugin/info.hpp"
@@ -54,14 +54,12 @@ bool is_for(std::string_view part, std::string_view document) {
 constexpr double longest_limit = 1e6;  // s
 
 double parse_limit(const std::string& text) {
-  double seconds = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, seconds);
-  if (error != std::errc() || rest != end || !(seconds > 0.0) || seconds > longest_limit) {
+  const auto seconds = config::typed_number(text);
+  if (!seconds || !(*seconds > 0.0) || *seconds > longest_limit) {
     throw config::BadInput(
         fmt::format("--limit: {}; expected seconds above 0, up to {:.0f}", texts::in_quotes(text), longest_limit));
   }
-  return seconds;
+  return *seconds;
 }
 
 // Returns the built-in values as a document. addressed: the document names each value, so that --set can replace it.

@@ -2,7 +2,6 @@
 // The commands `regista sprt`, `rank`, `metrics` and `evaluate-predictor`. They play no match.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -54,14 +53,13 @@ std::vector<statistics::Count> parse_counts(const std::vector<std::string>& word
   std::vector<statistics::Count> counts;
   statistics::Count sum = 0;
   for (const std::string& word : words) {
-    statistics::Count count = 0;
-    const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), count);
-    if (error != std::errc() || rest != word.data() + word.size() || count < 0 || count > statistics::most_counted) {
+    const auto count = config::number_in<statistics::Count>(word);
+    if (!count || *count < 0 || *count > statistics::most_counted) {
       throw BadInput(fmt::format("sprt: count {}; expected a whole number from 0 to {}", texts::in_quotes(word),
                                  statistics::most_counted));
     }
-    counts.push_back(count);
-    sum += count;
+    counts.push_back(*count);
+    sum += *count;
   }
   if (counts.size() != 3 && counts.size() != 5) {
     throw BadInput(fmt::format("sprt: {} counts; expected five of pairs (LL LD DD WD WW) or three of games (L D W)",

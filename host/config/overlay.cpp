@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -157,11 +156,8 @@ std::string_view first_key(const Node& map, std::string_view path) {
 // Returns the index of the list element that a part of a path addresses: by its name, otherwise by its index. The index
 // may be out of range. Returns nothing for a part that is neither a known name nor a number.
 std::optional<std::size_t> element_meant(const Node& sequence, std::string_view name) {
-  std::size_t index = index_of(sequence.elements(), name);
-  if (index < sequence.elements().size()) return index;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), index);
-  const bool number = error == std::errc{} && end == name.data() + name.size();
-  return number ? std::optional(index) : std::nullopt;
+  const std::size_t index = index_of(sequence.elements(), name);
+  return index < sequence.elements().size() ? index : number_in<std::size_t>(name);
 }
 
 struct Overlay {

@@ -4,10 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
-#include <system_error>
 
 #include "config/errors.hpp"
 #include "texts/message.hpp"
@@ -160,10 +158,8 @@ std::span<const Node> elements_of(const Node& node, std::string_view what, std::
 std::string real_text(double value) { return fmt::format("{}", value); }
 
 std::optional<double> typed_number(std::string_view text) {
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || rest != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = number_in<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 double parse_rate(const std::string& option, const std::string& text) {
@@ -175,14 +171,12 @@ double parse_rate(const std::string& option, const std::string& text) {
 }
 
 std::uint64_t parse_whole(const std::string& option, const std::string& text, std::uint64_t least, std::uint64_t most) {
-  std::uint64_t value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || value < least || value > most) {
+  const auto value = number_in<std::uint64_t>(text);
+  if (!value || *value < least || *value > most) {
     throw BadInput(
         fmt::format("{}: {}; expected a whole number from {} to {}", option, texts::in_quotes(text), least, most));
   }
-  return value;
+  return *value;
 }
 
 }  // namespace regista::config

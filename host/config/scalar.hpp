@@ -3,11 +3,13 @@
 // ambiguous forms: no octal or hexadecimal numbers, no leading zeros, no yes/no, finite numbers only.
 #pragma once
 
+#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "config/node.hpp"
 
@@ -48,6 +50,14 @@ std::span<const Node> elements_of(const Node& node, std::string_view what, std::
 std::string real_text(double value);
 
 // --- Numbers of a command line. The message of BadInput begins with the name of the option.
+
+// Returns the number if the text is exactly one number of this type; otherwise nothing.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number out{};
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() && rest == text.data() + text.size() ? std::optional(out) : std::nullopt;
+}
 
 // Returns the number if the text is exactly one finite number; otherwise nothing.
 std::optional<double> typed_number(std::string_view text);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recording/moment_svg.hpp"
 
-#include <charconv>
 #include <numbers>
 #include <string_view>
-#include <system_error>
 
 #include "config/errors.hpp"
 #include "config/scalar.hpp"
@@ -245,17 +243,6 @@ std::string moment_svg(const RecordedMatch& match, const RecordedMoment& moment,
   return (out << "</svg>\n"_html).str();
 }
 
-namespace {
-
-std::optional<int> whole_in(std::string_view text) {
-  int out = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || rest != text.data() + text.size()) return std::nullopt;
-  return out;
-}
-
-}  // namespace
-
 Moment parse_moment(const std::string& typed) {
   const auto refuse = [&] {
     throw config::BadInput(
@@ -266,14 +253,14 @@ Moment parse_moment(const std::string& typed) {
   out.typed = typed;
   std::string_view rest = typed;
   if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
-    const auto half = whole_in(rest.substr(0, slash));
+    const auto half = config::number_in<int>(rest.substr(0, slash));
     if (!half || *half < 1 || *half > 99) refuse();
     out.half = *half;
     rest.remove_prefix(slash + 1);
   }
   double minutes = 0.0;
   if (const std::size_t colon = rest.find(':'); colon != std::string_view::npos) {
-    const auto whole = whole_in(rest.substr(0, colon));
+    const auto whole = config::number_in<int>(rest.substr(0, colon));
     if (!whole || *whole < 0) refuse();
     minutes = *whole;
     rest.remove_prefix(colon + 1);
@@ -296,7 +283,7 @@ RobotName parse_robot(const std::string& typed, int team_size) {
     out.side = 1;
     rest.remove_prefix(5);
   }
-  const auto number = whole_in(rest);
+  const auto number = config::number_in<int>(rest);
   if (!number || *number < 1 || *number > team_size) {
     throw config::BadInput(fmt::format("--robot: {}; expected 1 to {}, home/1 to home/{} or away/1 to away/{}",
                                        texts::in_quotes(typed), team_size, team_size, team_size));

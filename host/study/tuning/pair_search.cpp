@@ -114,12 +114,9 @@ constexpr auto time_of_search = "time of search";
 // The number of points after which the time of the search was up; nullopt if the search did not end in this way.
 std::optional<std::uint64_t> stored_end(const campaign::Store& store) {
   const std::string text = store.meta(end_of_search);
-  std::uint64_t out = 0;
   if (text.empty()) return std::nullopt;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), out);
-  if (error != std::errc() || rest != text.data() + text.size()) {
-    throw campaign::StoreError("the end of the search in the results is damaged");
-  }
+  const auto out = config::number_in<std::uint64_t>(text);
+  if (!out) throw campaign::StoreError("the end of the search in the results is damaged");
   return out;
 }
 
