@@ -16,7 +16,6 @@
 #include "campaign/fork_server.hpp"
 #include "campaign/play_job.hpp"
 #include "campaign/worker.hpp"
-#include "cli/study_commands.hpp"
 #include "command/options_declared.hpp"
 #include "output/replaced_file.hpp"
 #include "texts/message.hpp"

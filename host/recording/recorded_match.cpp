@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "recording/recorded_match.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,7 +15,6 @@
 #include "mcap/writer.hpp"
 #include "recording/recording_metadata.hpp"
 #include "texts/json.hpp"
-#include "texts/message.hpp"
 
 namespace regista::recording {
 namespace {

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "campaign/job.hpp"
 #include "report/outline.hpp"
 #include "report/study_report.hpp"
 #include "report/what_was_played.hpp"

@@ -18,7 +18,6 @@
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "report/what_was_played.hpp"
-#include "study/measure.hpp"
 #include "study/study.hpp"
 #include "texts/json.hpp"
 #include "texts/message.hpp"

@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 
-#include "config/values.hpp"
 #include "report/number.hpp"
 #include "report/standing.hpp"
 #include "statistics/moments.hpp"

@@ -25,7 +25,6 @@
 #include "plugin/fatal_signal.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/prediction/forecast.hpp"
-#include "study/tournament_plan.hpp"
 #include "study/tuning/tuning_plan.hpp"
 #include "texts/message.hpp"
 

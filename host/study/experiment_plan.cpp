@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "match/game_state.hpp"
-#include "match/metric_table.hpp"
 #include "match/teams.hpp"
 #include "plugin/info.hpp"
 #include "study/experiment_course.hpp"

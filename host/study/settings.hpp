@@ -18,7 +18,6 @@
 #include "campaign/match_setup.hpp"
 #include "campaign/store.hpp"
 #include "config/declaration.hpp"
-#include "config/errors.hpp"
 #include "config/experiment.hpp"
 #include "config/match_settings.hpp"
 #include "config/node.hpp"

@@ -16,7 +16,6 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/store.hpp"
 #include "config/errors.hpp"
 #include "config/node.hpp"
 #include "config/tournament.hpp"

@@ -14,7 +14,6 @@
 #include "config/rules.hpp"
 #include "config/team.hpp"
 #include "mind/coordination/task_filter.hpp"
-#include "mind/geometry.hpp"
 #include "mind/percepts.hpp"
 #include "mind/team_plan.hpp"
 #include "mind/world/world_model.hpp"

@@ -3,7 +3,6 @@
 
 #include <regista/extensions/known_size.hpp>
 
-#include <algorithm>
 #include <cstring>
 
 namespace regista::mind {

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "campaign/job.hpp"
-#include "campaign/store.hpp"
 #include "study/measure.hpp"
 #include "study/paired_estimates.hpp"
 #include "study/study.hpp"

@@ -11,8 +11,6 @@
 #include <utility>
 
 #include "config/parse.hpp"
-#include "config/read.hpp"
-#include "match/metric_table.hpp"
 #include "study/measure.hpp"
 #include "study/plan_fields.hpp"
 
