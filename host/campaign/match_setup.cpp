@@ -372,9 +372,7 @@ FoundInputs inputs_of(const MatchSetup& prepared, const plugin::Catalogue& catal
 
 std::vector<std::string> differences(std::span<const Input> before, std::span<const Input> now) {
   std::vector<std::string> out;
-  const auto add = [&](const std::string& text) {
-    if (std::ranges::find(out, text) == out.end()) out.push_back(text);
-  };
+  const auto add = [&](const std::string& text) { texts::add_once(out, text); };
   // An input with the same content under another name, such as another spelling of a path, counts as unchanged.
   const auto elsewhere = [](std::span<const Input> inputs, const Input& wanted) {
     return std::ranges::find(inputs, wanted.hash, &Input::hash) != inputs.end();
@@ -411,9 +409,7 @@ std::string what_changed(const Job& job, const FoundInputs& now) {
   std::vector<std::string> changed;
   for (const auto& [before, found] :
        {std::pair{&job.home_inputs, &now.home}, {&job.away_inputs, &now.away}, {&job.common_inputs, &now.common}}) {
-    for (std::string& each : differences(*before, *found)) {
-      if (std::ranges::find(changed, each) == changed.end()) changed.push_back(std::move(each));
-    }
+    for (const std::string& each : differences(*before, *found)) texts::add_once(changed, each);
   }
   return texts::join(changed);
 }

@@ -11,6 +11,7 @@
 #include "campaign/match_encoding.hpp"
 #include "campaign/stored_row.hpp"
 #include "match/side.hpp"
+#include "texts/message.hpp"
 
 namespace regista::campaign {
 namespace {
@@ -139,9 +140,7 @@ match::MetricPaths StoredMetrics::paths(std::int64_t rows) {
   while (each.executeStep()) {
     const Names& names = names_under(each.getColumn(0).getInt64(), each.getColumn(1).getInt64());
     const auto take = [&names](std::vector<std::string>& paths, const std::vector<std::size_t>& places) {
-      for (const std::size_t place : places) {
-        if (std::ranges::find(paths, names->path(place)) == paths.end()) paths.push_back(names->path(place));
-      }
+      for (const std::size_t place : places) texts::add_once(paths, names->path(place));
     };
     for (const match::Side side : match::both_sides) take(out.of_teams, names->of(side));
     take(out.of_match, names->of_match());

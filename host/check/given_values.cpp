@@ -63,7 +63,7 @@ GivenValues::GivenValues(const GivenTexts& texts, const plugin::ScannedFile& sur
     if (!plugins.empty() && std::ranges::find(plugins, id) == plugins.end()) continue;
     for (std::uint32_t i = 0; i < plugin->declared().parameter_count; ++i) {
       const regista_parameter& declared = plugin::parameter(plugin->declared(), i);
-      if (std::ranges::find(known_, declared.name) == known_.end()) known_.emplace_back(declared.name);
+      texts::add_once(known_, declared.name);
       for (const auto& [name, text] : texts) {
         if (name == declared.name) of_[id].emplace_back(name, value_of(declared, text));
       }

@@ -385,9 +385,7 @@ template <class Names>
 std::vector<std::string> of_all(const std::deque<FileCheck>& files, Names names) {
   std::vector<std::string> out;
   for (const FileCheck& file : files) {
-    for (const std::string& each : (file.*names)()) {
-      if (std::ranges::find(out, each) == out.end()) out.push_back(each);
-    }
+    for (const std::string& each : (file.*names)()) texts::add_once(out, each);
   }
   return out;
 }
@@ -421,9 +419,7 @@ void refuse_what_nobody_has(const std::deque<FileCheck>& files, const Options& o
 std::vector<std::string> known_checks() {
   std::vector<std::string> out(file_checks.begin(), file_checks.end());
   out.insert(out.end(), {"descriptor", "creation"});
-  const auto add = [&out](const std::string& name) {
-    if (std::ranges::find(out, name) == out.end()) out.push_back(name);
-  };
+  const auto add = [&out](const std::string& name) { texts::add_once(out, name); };
   for (const std::int32_t kind : kinds_checked) {
     add(std::string(plugin::kind_name(kind)));
     for (const std::string& check : checks_of(kind)) {

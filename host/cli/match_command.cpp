@@ -131,9 +131,7 @@ using Files = std::vector<std::shared_ptr<plugin::PluginFile>>;
 Files files_of(const campaign::MatchSetup& prepared) {
   Files out;
   for (const auto& plan : prepared.plans) {
-    for (const mind::Part* part : plan->parts()) {
-      if (std::ranges::find(out, part->found->object) == out.end()) out.push_back(part->found->object);
-    }
+    for (const mind::Part* part : plan->parts()) texts::add_once(out, part->found->object);
   }
   return out;
 }

@@ -136,10 +136,7 @@ void find_unnoted_jobs(const StudyFolder& folder, const Settings& settings, Prog
 }
 
 void keep_remarks(const Gathered& gathered, Progress& progress) {
-  for (const std::string& each : gathered.refused_nodes) {
-    if (std::ranges::find(progress.refused_nodes, each) == progress.refused_nodes.end())
-      progress.refused_nodes.push_back(each);
-  }
+  for (const std::string& each : gathered.refused_nodes) texts::add_once(progress.refused_nodes, each);
   progress.remarks.insert(progress.remarks.end(), gathered.remarks.begin(), gathered.remarks.end());
   if (progress.remarks.size() > most_remarks)
     progress.remarks.erase(progress.remarks.begin(), progress.remarks.end() - most_remarks);

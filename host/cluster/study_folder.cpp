@@ -327,7 +327,7 @@ class Gathering {
         json["why"].is_string()) {
       const std::string node = json["node"], why = json["why"];
       out_.remarks.push_back(texts::one_line(fmt::format("node {} plays nothing: {}", node, why)));
-      if (std::ranges::find(out_.refused_nodes, node) == out_.refused_nodes.end()) out_.refused_nodes.push_back(node);
+      texts::add_once(out_.refused_nodes, node);
     }
     std::error_code none;
     fs::remove(file.path, none);

@@ -7,6 +7,7 @@
 
 #include "recording/field_svg.hpp"
 #include "recording/moment_svg.hpp"
+#include "texts/message.hpp"
 
 namespace regista::recording::moment {
 namespace {
@@ -151,8 +152,7 @@ std::vector<RecordedColour> colours_of(const RecordedDrawing& drawing, const Lay
   constexpr std::size_t most = 4, most_told_apart = 256;
   std::vector<RecordedColour> all;
   for (const RecordedShape& shape : drawing.shapes) {
-    const RecordedColour colour = shape.colour.value_or(style.colour);
-    if (std::ranges::find(all, colour) == all.end()) all.push_back(colour);
+    texts::add_once(all, shape.colour.value_or(style.colour));
     if (all.size() == most_told_apart) break;
   }
   if (all.size() <= most) return all;

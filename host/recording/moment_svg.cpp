@@ -307,10 +307,8 @@ void keep_layers(std::vector<RecordedDrawing>& drawings, const std::vector<std::
     constexpr std::size_t longest = 60;
     const bool with_plugin = name.find(": ") != std::string::npos;
     std::vector<std::string> known;
-    for (const RecordedDrawing& drawing : drawings) {
-      const std::string each = texts::visible_at_most(with_plugin ? drawing.name() : drawing.layer, longest);
-      if (std::ranges::find(known, each) == known.end()) known.push_back(each);
-    }
+    for (const RecordedDrawing& drawing : drawings)
+      texts::add_once(known, texts::visible_at_most(with_plugin ? drawing.name() : drawing.layer, longest));
     throw config::BadInput("--layer: " + texts::unknown("layer", name, "the drawings of this robot", known));
   }
   for (RecordedDrawing& drawing : drawings) {

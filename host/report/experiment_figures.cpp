@@ -184,9 +184,8 @@ std::vector<std::string> roles_of(const ExperimentView& view) {
   std::vector<std::string> out;
   for (std::size_t i = 0; i < plan.measures.size(); ++i) {
     const std::string& measure = plan.measures[i];
-    if (!is_in_role_figure(measure) || shows_nothing(view, i)) continue;
-    const std::string role = measure.substr(0, measure.rfind('.'));
-    if (std::ranges::find(out, role) == out.end()) out.push_back(role);
+    if (is_in_role_figure(measure) && !shows_nothing(view, i))
+      texts::add_once(out, measure.substr(0, measure.rfind('.')));
   }
   return out;
 }

@@ -184,9 +184,7 @@ std::string opponent_note(const study::ExperimentPlan& plan) {
   std::vector<std::string> paths;
   const auto add = [&](std::string_view path) {
     const std::string_view document = path.substr(0, path.find('.'));
-    if (document != "rules" && document != "robot") return;
-    const std::string shown = texts::visible(path);
-    if (std::ranges::find(paths, shown) == paths.end()) paths.push_back(shown);
+    if (document == "rules" || document == "robot") texts::add_once(paths, texts::visible(path));
   };
   add(plan.sweep());
   for (const config::Experiment::Arm& arm : plan.asked.arms) {

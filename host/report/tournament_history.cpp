@@ -8,6 +8,7 @@
 #include "match/side.hpp"
 #include "report/standing.hpp"
 #include "statistics/rating.hpp"
+#include "texts/message.hpp"
 
 namespace regista::report {
 namespace {
@@ -35,7 +36,7 @@ std::vector<std::string> parts_of_paths(const MatchNumbers& numbers, std::size_t
   for (std::size_t team = 0; team < teams; ++team) {
     for (const TeamNumber& each : numbers.of_team(team)) {
       const std::string part(part_of(each.path));
-      if (!part.empty() && std::ranges::find(out, part) == out.end()) out.push_back(part);
+      if (!part.empty()) texts::add_once(out, part);
     }
   }
   return out;

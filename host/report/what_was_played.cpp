@@ -198,8 +198,7 @@ std::vector<std::string> played_with(const WhatWasPlayed& played) {
       name = "file " + std::filesystem::path(name.substr(5, of - 5)).filename().string() +
              name.substr(std::min(of, name.size()));
     }
-    const std::string line = fmt::format("{} {}", texts::visible(name), input.hash.substr(input.hash.rfind(' ') + 1));
-    if (std::ranges::find(out, line) == out.end()) out.push_back(line);
+    texts::add_once(out, fmt::format("{} {}", texts::visible(name), input.hash.substr(input.hash.rfind(' ') + 1)));
   };
   std::ranges::for_each(played.inputs, add);
   for (const PlayedTeam& each : played.teams) std::ranges::for_each(each.inputs, add);

@@ -42,9 +42,7 @@ const StudyKind* study_asked(const config::Node& document, std::span<const Study
 std::vector<config::DocumentKind> document_kinds(const Invocation& invocation) {
   const std::span<const config::DocumentKind> always = config::document_kinds();
   std::vector<config::DocumentKind> out(always.begin(), always.end());
-  for (const StudyKind& each : invocation.studies) {
-    if (std::ranges::find(out, each.document) == out.end()) out.push_back(each.document);
-  }
+  for (const StudyKind& each : invocation.studies) texts::add_once(out, each.document);
   return out;
 }
 

@@ -15,13 +15,9 @@ double value_of(const std::optional<MatchMeasures>& match, const std::string& me
 }
 
 std::optional<ShortGamePackets> packets_of(const MatchMeasures& match) {
-  std::array<double, match::packet_metrics.size()> numbers{};
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    const auto value = match.value(match::packet_metrics[i]);
-    if (!value) return std::nullopt;
-    numbers[i] = *value;
-  }
-  return ShortGamePackets{numbers[0], numbers[1], numbers[2]};
+  const auto spent = match.value(match::packet_metrics[0]), share = match.value(match::packet_metrics[1]),
+             over = match.value(match::packet_metrics[2]);
+  return spent && share && over ? std::optional(ShortGamePackets{*spent, *share, *over}) : std::nullopt;
 }
 
 PartlyPlayed shown_by(const Experiment& course, std::size_t condition, std::size_t measure) {

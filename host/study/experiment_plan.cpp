@@ -44,10 +44,6 @@ double clock_seconds(const match::Setup& setup) {
   return seconds;
 }
 
-void add_once(std::vector<std::string>& to, const std::string& text) {
-  if (std::ranges::find(to, text) == to.end()) to.push_back(text);
-}
-
 class ExperimentPlanner : Planner<ExperimentPlan> {
  public:
   using Planner<ExperimentPlan>::Planner;
@@ -90,7 +86,7 @@ class ExperimentPlanner : Planner<ExperimentPlan> {
       campaign::MatchSetup prepared = find_inputs(condition.jobs, settings, catalogue_, program_, mathematics_);
       if (condition.value == 0) plan_.documents.push_back(shown(*prepared.documents[0]));
       if (opponent.empty()) opponent = shown(*prepared.documents[1]);
-      for (const std::string& each : metric_paths_of(*prepared.plans[0])) add_once(known_, each);
+      for (const std::string& each : metric_paths_of(*prepared.plans[0])) texts::add_once(known_, each);
       if (condition.value == 0) add_roles(*prepared.plans[0]);
       setups_.push_back(std::move(prepared.setup));
     };
@@ -103,7 +99,7 @@ class ExperimentPlanner : Planner<ExperimentPlan> {
     const std::vector<match::Role> roles = match::roles(team);
     const std::vector<std::string> names = match::role_names(roles);
     for (std::size_t i = 0; i < roles.size(); ++i) {
-      if (roles[i].list == roles.front().list) add_once(roles_, names[i]);
+      if (roles[i].list == roles.front().list) texts::add_once(roles_, names[i]);
     }
   }
 
@@ -147,20 +143,20 @@ class ExperimentPlanner : Planner<ExperimentPlan> {
     for (const config::Node& each : plan_.asked.measures) {
       const std::string measure(match::without_roles(each.text()));
       mistakes_.attempt("", [&] { require_measure(measure, each.where(), "measures"); });
-      add_once(plan_.measures, measure);
+      texts::add_once(plan_.measures, measure);
     }
     if (plan_.measures.empty()) add_usual_measures();
     const std::string primary = plan_.primary();
     if (primary.empty()) return;
     mistakes_.attempt("", [&] { require_measure(primary, document_["primary"]["measure"].where(), "primary"); });
-    add_once(plan_.measures, primary);
+    texts::add_once(plan_.measures, primary);
   }
 
   // Adds the default measures. First come the sums over all roles. Without a sweep, three measures of each role follow
   // (a sweep shows each measure as a curve). Last come agreement, goals, points and packets of the team.
   void add_usual_measures() {
     const auto add = [&](const std::string& path) {
-      if (is_known(path)) add_once(plan_.measures, path);
+      if (is_known(path)) texts::add_once(plan_.measures, path);
     };
     for (const std::string& path : known_) {
       if (std::ranges::any_of(roles_, [&](const std::string& role) { return is_known(role + '.' + path); })) add(path);

@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json_fwd.hpp>
 
-#include <algorithm>
 #include <climits>
 #include <concepts>
 #include <cstdint>
@@ -34,6 +33,7 @@
 #include "study/settings.hpp"
 #include "study/study.hpp"
 #include "texts/json.hpp"
+#include "texts/message.hpp"
 
 namespace regista::study {
 
@@ -219,10 +219,7 @@ class InputDifferences {
   // Adds what differs between the inputs of then and today. whose: the beginning of each line, such as "the opponent:
   // ".
   void add(const std::string& whose, std::span<const campaign::Input> then, std::span<const campaign::Input> today) {
-    for (const std::string& each : campaign::differences(then, today)) {
-      const std::string line = whose + each;
-      if (std::ranges::find(lines_, line) == lines_.end()) lines_.push_back(line);
-    }
+    for (const std::string& each : campaign::differences(then, today)) texts::add_once(lines_, whose + each);
   }
 
   // Adds the differences between scenes and returns all. Reports the order of scenes only if nothing else differs.

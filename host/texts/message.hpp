@@ -2,12 +2,14 @@
 // Formats texts of users, counts and durations for messages: in one line, short, without invisible characters.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace regista::texts {
@@ -43,6 +45,12 @@ std::vector<std::string> names_of(const Things& things, Name name) {
   std::vector<std::string> names;
   for (const auto& each : things) names.emplace_back(std::invoke(name, each));
   return names;
+}
+
+// Appends a value that the list does not contain.
+template <class Value>
+void add_once(std::vector<Value>& list, const std::type_identity_t<Value>& value) {
+  if (std::ranges::find(list, value) == list.end()) list.push_back(value);
 }
 
 // --- "Did you mean": finds the known name with the fewest edits to an unknown name. The distance is the optimal string
