@@ -64,27 +64,19 @@ struct Span {
 constexpr std::array spans{Span{"_before_silence", " before the silence"},
                            Span{"_after_silence", " after the silence"}};
 
-std::string without(std::string text, std::string_view part) {
-  const std::size_t at = text.find(part);
-  return at == std::string::npos ? text : text.erase(at, part.size());
-}
-
-std::string role_of(std::string_view path) {
-  const std::size_t end = path.rfind('.');
-  return end == std::string_view::npos ? std::string() : name_of_role(path.substr(0, end));
-}
-
 // Returns words for a number of one or all roles, such as "overlap_after_silence_seconds"; empty for other numbers.
 std::string of_roles(std::string_view path) {
-  std::string name(path.substr(path.rfind('.') + 1)), when;
+  const std::size_t dot = path.rfind('.');
+  std::string name(path.substr(dot + 1)), when;
   for (const Span& span : spans) {
-    if (name.find(span.name) == std::string::npos) continue;
-    name = without(std::move(name), span.name);
+    const std::size_t at = name.find(span.name);
+    if (at == std::string::npos) continue;
+    name.erase(at, span.name.size());
     when = span.words;
   }
   const auto found = std::ranges::find(role_words, name, &RoleWords::name);
   if (found == role_words.end()) return {};
-  const std::string role = role_of(path);
+  const std::string role = dot == std::string_view::npos ? std::string() : name_of_role(path.substr(0, dot));
   return (role.empty() ? std::string(found->of_all) : role + ' ' + std::string(found->of_role)) + when;
 }
 

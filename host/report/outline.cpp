@@ -123,19 +123,16 @@ std::string table_text(const Table& table) {
   return out;
 }
 
-std::string lines_text(const Lines& lines) {
-  std::string out;
-  for (const Sentence& each : lines.lines) out += (lines.style == Lines::Style::list ? "  " : "") + plain(each) + '\n';
-  return out;
-}
-
 }  // namespace
 
 std::string section_text(const Section& section) {
   std::string out;
   for (const Item& each : section.items) {
     if (!is_in_text(each.readers)) continue;
-    if (const auto* const lines = std::get_if<Lines>(&each.what)) out += lines_text(*lines);
+    if (const auto* const lines = std::get_if<Lines>(&each.what)) {
+      const char* const before = lines->style == Lines::Style::list ? "  " : "";
+      for (const Sentence& line : lines->lines) out += before + plain(line) + '\n';
+    }
     if (const auto* const table = std::get_if<Table>(&each.what)) out += (out.empty() ? "" : "\n") + table_text(*table);
   }
   return out;
