@@ -52,6 +52,7 @@ constexpr double clearly_nearer = 4.0;  // squared distance; a match farther by 
 constexpr double out_of_question = gate + clearly_nearer;
 constexpr double never_fits = std::numeric_limits<double>::infinity();
 constexpr double least_believed_weight = 0.5;  // tracks of lower weight are not matched
+constexpr double matched_for = 5.0;            // s; an older track of a robot that walks says less than its last packet
 
 // Returns the position's covariance of a robot or a track.
 Eigen::Matrix2d place_covariance(const auto& estimate) {
@@ -202,7 +203,7 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
     double best = gate;
     SeenTeammate pair{0, nullptr};
     for (const regista_track& track : seen) {
-      if (track.weight < least_believed_weight) continue;
+      if (track.weight < least_believed_weight || track.age > matched_for) continue;
       if (std::ranges::find(out, &track, &SeenTeammate::track) != out.end()) continue;
       double nearest = never_fits, second = nearest;
       int number = 0;
@@ -289,20 +290,28 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   return ball;
 }
 
+OpponentFusion::Cluster::Cluster(const regista_track& track, int from)
+    : weighted_sum(0.0, 0.0),
+      age(std::numeric_limits<double>::infinity()),
+      best_trace(std::numeric_limits<double>::infinity()) {
+  add(track, from);
+}
+
 void OpponentFusion::Cluster::add(const regista_track& track, int from) {
   // Niehsen's weights of isotropic covariances are proportional to 1/trace; those of the fused mean, to 1/trace^2.
-  const double added = 1.0 / position_trace(track), added2 = added * added;
+  const double own_trace = position_trace(track), added = 1.0 / own_trace, added2 = added * added;
   weighted_sum += added2 * Vector2d(track.x, track.y);
   information += added;
   information2 += added2;
-  position = weighted_sum / information2;
+  const double share = 1.0 / information2;
+  position = share * weighted_sum;
   // The covariance intersection has the trace sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
-  trace = information / information2;
+  trace = share * information;
   missing *= 1.0 - track.weight;
   age = std::min(age, track.age);
   source = from;
-  if (position_trace(track) < best_trace) {
-    best_trace = position_trace(track);
+  if (own_trace < best_trace) {
+    best_trace = own_trace;
     velocity = {track.vx, track.vy};
     label = label_of(track, from);
   }
@@ -339,11 +348,7 @@ void OpponentFusion::add(std::span<const regista_track> tracks, int source) {
     least->distance = std::numeric_limits<double>::infinity();
   }
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    if ((placed >> i & 1u) != 0) continue;
-    Cluster& fresh = clusters_.emplace_back();
-    fresh.weighted_sum = Vector2d::Zero();
-    fresh.age = fresh.best_trace = std::numeric_limits<double>::infinity();
-    fresh.add(tracks[i], source);
+    if ((placed >> i & 1u) == 0) clusters_.emplace_back(tracks[i], source);
   }
 }
 

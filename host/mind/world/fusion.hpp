@@ -54,7 +54,8 @@ struct SeenTeammate {
 
 // Pairs tracks with active robots other than `own`, and appends the pairs to `out`. The pair with the least squared
 // Mahalanobis distance comes first; each track and robot is paired at most once. Left out are pairs with more than 9.21
-// (99 % of true pairs have less), and tracks that fit two robots about equally well (a difference below 4).
+// (99 % of true pairs have less), tracks that fit two robots about equally well (a difference below 4), and tracks
+// older than 5 s.
 void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
                      std::vector<SeenTeammate>& out);
 
@@ -157,19 +158,19 @@ class OpponentFusion {
   void write(std::size_t most, std::vector<regista_opponent>& out);
 
  private:
-  struct Cluster {       // the tracks of one opponent
-    Vector2d position;   // weighted_sum / information2
-    double trace = 0.0;  // of the covariance of `position`
-    int source = 0;      // of the last track
-    int label = 0;
-    Vector2d weighted_sum, velocity;  // means, weighted by information
-    double information = 0.0;         // sum of 1 / trace of the covariances
-    double information2 = 0.0;        // sum of 1 / trace^2
-    double missing = 1.0;             // probability that no track of the cluster is real
-    double likelihood = 0.0;          // of an opponent near this place
-    double age = 0.0;
-    double best_trace = 0.0;
+  struct Cluster {  // the tracks of one opponent
+    Cluster(const regista_track& track, int from);
     void add(const regista_track& track, int from);
+    Vector2d position;          // weighted_sum / information2
+    double trace;               // of the covariance of `position`
+    int source, label;          // of the last track; of the most certain one
+    Vector2d weighted_sum;      // of positions, by information^2
+    Vector2d velocity;          // of the most certain track
+    double information = 0.0;   // sum of 1 / trace of the covariances
+    double information2 = 0.0;  // sum of 1 / trace^2
+    double missing = 1.0;       // probability that no track of the cluster is real
+    double likelihood;          // of an opponent near this place
+    double age, best_trace;     // the least ones
   };
   struct Pair {       // of a track and the nearest cluster without a track of the same source
     double distance;  // squared Mahalanobis; infinity: none is near enough

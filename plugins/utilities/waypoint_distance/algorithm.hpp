@@ -35,65 +35,47 @@ inline double squared_distance(const Point& a, const Point& b) {
 }
 inline double distance(const Point& a, const Point& b) { return std::sqrt(squared_distance(a, b)); }
 
-// The shortest ways along the edges of one graph (Dijkstra 1959; the graphs are too small for a heap).
+// The shortest ways along the edges of one graph (Bellman 1958; the graphs are so small that a few rounds over all
+// edges are faster than an order of the nodes).
 class Ways {
  public:
   void reserve(std::size_t nodes, std::size_t edges) {
-    first_.reserve(nodes + 1);
-    steps_.reserve(2 * edges);
+    edges_.reserve(edges);
     length_.reserve(nodes);
-    done_.reserve(nodes);
   }
 
   void set(const Graph& graph) {
-    first_.assign(graph.nodes.size() + 1, 0);
-    steps_.resize(2 * graph.edges.size());
+    length_.resize(graph.nodes.size());
+    edges_.clear();
     for (const Edge& edge : graph.edges) {
-      ++first_[edge.from];
-      ++first_[edge.to];
-    }
-    std::size_t end = 0;
-    for (std::size_t& first : first_) first = end += first;
-    for (const Edge& edge : graph.edges) {  // the steps of a node are filled from their end
-      const double length = distance(graph.nodes[edge.from], graph.nodes[edge.to]);
-      steps_[--first_[edge.from]] = {edge.to, length};
-      steps_[--first_[edge.to]] = {edge.from, length};
+      edges_.push_back({edge.from, edge.to, distance(graph.nodes[edge.from], graph.nodes[edge.to])});
     }
   }
 
   // Their lengths from every node to `goal`, infinity where there is none. Valid until the next call.
   std::span<const double> to(std::size_t goal) {
-    const std::size_t count = first_.size() - 1;
-    length_.assign(count, infinity);
-    done_.assign(count, 0);
+    std::ranges::fill(length_, infinity);
     length_[goal] = 0.0;
-    for (std::size_t nearest = goal; nearest != count;) {
-      done_[nearest] = 1;
-      for (std::size_t i = first_[nearest]; i < first_[nearest + 1]; ++i) {
-        double& length = length_[steps_[i].to];
-        length = std::min(length, length_[nearest] + steps_[i].length);
-      }
-      nearest = count;
-      double least = infinity;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (done_[i] == 0 && length_[i] < least) {
-          least = length_[i];
-          nearest = i;
-        }
+    for (bool shorter = true; shorter;) {
+      shorter = false;
+      for (const Measured& edge : edges_) {
+        double &from = length_[edge.from], &to = length_[edge.to];
+        const double forth = from + edge.length, back = to + edge.length;
+        shorter |= forth < to || back < from;
+        to = std::min(to, forth);
+        from = std::min(from, back);
       }
     }
     return length_;
   }
 
  private:
-  struct Step {
-    std::size_t to;
+  struct Measured {
+    std::size_t from, to;
     double length;
   };
-  std::vector<std::size_t> first_;  // first_[i] to first_[i + 1]: the steps from node i
-  std::vector<Step> steps_;
+  std::vector<Measured> edges_;
   std::vector<double> length_;
-  std::vector<char> done_;
 };
 
 // The first of equally near ones; there is at least one.
