@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""Tournaments that a proof plays once: their results stay in a file, and are gone on with where they ended."""
+"""Studies that a proof plays once: their results stay in a file, and are gone on with where they ended."""
 
 import json
 import subprocess
 import sys
 
 
-def played(program, file, words):
-    """What `regista tournament` says with these words."""
+def played(program, file, words, command="tournament"):
+    """What `regista tournament` or another study says with these words."""
     more = ["--resume"] if file.exists() else []
-    done = subprocess.run([program, "tournament", *map(str, words), "--results", str(file), "--no-page", "--quiet", *more],
+    done = subprocess.run([program, command, *map(str, words), "--results", str(file), "--no-page", "--quiet", *more],
                           stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"{file} ended with status {done.returncode}")
