@@ -50,10 +50,7 @@ constexpr auto match_examples = R"(Examples:
 compares the hashes; one that was forfeited, or could not be played, is played under the limits of that study. Rows are those of
 `regista report --csv`.
 A path of --set begins with a (the first team, at home), b (the second), rules, robot, disturbance (of both teams),
-a_disturbance, b_disturbance or opening; without one of these it goes to both teams.
-
-Exit codes: 0 played; 1 the result could not be written, or is not that of --from; 2 bad input; 3 a defect of
-Regista; 130 interrupted.)";
+a_disturbance, b_disturbance or opening; without one of these it goes to both teams.)";
 
 const std::vector<std::string> log_levels{"debug", "info", "warning", "error", "none"};
 
@@ -272,10 +269,7 @@ again, and writes the page NAME.replays/ROW.html beside the results NAME.db. --a
 of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
 shows the world as the robot believed it, its tasks, the utilities it chose by, and what its plugins drew and logged.
 --layer trail, or --layer "my_walk: trail" (plugin and layer), leaves out all other drawings. Plugins draw layers for
-those who write them; the shipped ones draw none.
-
-Exit codes: 0 done; 1 the page could not be written, or the match of --row came out otherwise; 2 bad input; 3 a defect
-of Regista; 130 interrupted.)";
+those who write them; the shipped ones draw none.)";
 
 struct ViewOptions {
   std::string file, output, at, robot, row;
@@ -397,7 +391,8 @@ void add_match(Command& parent, const Invocation& invocation) {
   command.flag("--in-process", options->in_process,
                "play in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--verbose", options->verbose, "a line on standard error for each goal");
-  command.notes(match_examples);
+  command.notes(match_examples, "0 played; 1 the result could not be written, or is not that of --from",
+                command::interruptible);
   command.run = [options, &command, &invocation] { return play(*options, command.outputs("match"), invocation); };
 }
 
@@ -414,7 +409,8 @@ void add_view(Command& parent, const Invocation& invocation) {
   command.take("--layer", options->layers, "NAME",
                "of --robot: of what its plugins drew only this layer; may be repeated");
   command.flag("--force", options->force, "replace an existing file");
-  command.notes(view_examples);
+  command.notes(view_examples, "0 done; 1 the page could not be written, or the match of --row came out otherwise",
+                command::interruptible);
   command.run = [options, &command, &invocation] { return run(*options, command.outputs("view"), invocation); };
 }
 

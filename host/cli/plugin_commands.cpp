@@ -202,9 +202,7 @@ are those of the testkit: empty teams, one robot, robots in one place, many task
 parameters, structs and arrays that have grown, what is not declared to be read.
 
 pass: sound; warn: may be meant, and may go wrong elsewhere; fail: breaks a promise of <regista/abi.h>; crash: the process of
-the check died or had to be ended; skip: nothing to check.
-
-Exit codes: 0 no check failed or crashed; 1 one did; 2 bad input; 3 a defect of Regista.)";
+the check died or had to be ended; skip: nothing to check.)";
 
 struct PluginCheckOptions {
   std::vector<std::string> files, only, plugins, parameters;
@@ -371,7 +369,7 @@ void add_plugin_check(Command& parent, const Invocation& invocation) {
   command.flag("--in-process", options->in_process,
                "all checks in the program's own process, for a debugger: what ends it is not explained");
   command.flag("--json", options->json, "write JSON: a list, with one element for each file");
-  command.notes(plugin_check_examples);
+  command.notes(plugin_check_examples, "0 no check failed or crashed; 1 one did");
   command.run = [options, &invocation] { return run(*options, invocation); };
 }
 

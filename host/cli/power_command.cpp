@@ -43,9 +43,7 @@ a mean difference of --difference with a probability of --power, and how large a
 pairs finds, or that of --pairs. The test is the one that decides such a study with a fixed number of pairs: sign flips
 of a tournament's pairs at 5 %, of an experiment its own; both are two-sided and held to what Holm leaves of the level
 where there are several. Few pairs know the spread only roughly, so the number of pairs has an interval of 95 %.
-docs/statistics.md says how it is computed.
-
-Exit codes: 0 done; 1 the result could not be written; 2 bad input; 3 a defect of Regista; 130 interrupted.)";
+docs/statistics.md says how it is computed.)";
 
 constexpr int pilot_pairs = 10;
 constexpr double usual_difference = 0.5;  // goals per match
@@ -272,7 +270,7 @@ void add_power(Command& parent, const Invocation& invocation) {
                Writes::results);
   command.flag("--json", options->json, "write the result as JSON");
   command.flag("--quiet", options->quiet, "no progress on standard error");
-  command.notes(power_notes);
+  command.notes(power_notes, "0 done; 1 the result could not be written", command::interruptible);
   command.run = [options, &command, &invocation] { return power(*options, command, invocation); };
 }
 

@@ -54,10 +54,7 @@ Several files are reported as one where they are of one study, begun alike, whos
 NAME.replays/ROW.html beside the results NAME.db, and the page of the study with links to them: NAME.html, or -o.
 --study writes the study itself, as it was asked for, with its teams, profiles and scenes: `regista run study.yaml` in that
 folder plays it again.
---standard-error writes what plugins wrote to standard error in a match, as far as it was kept.
-
-Exit codes: 0 done; 1 the report could not be written, or a match of --replays came out otherwise; 2 bad input; 3 a
-defect of Regista; 130 interrupted.)";
+--standard-error writes what plugins wrote to standard error in a match, as far as it was kept.)";
 
 struct ReportOptions {
   std::vector<std::string> files;                             // files of results of one study
@@ -205,9 +202,7 @@ constexpr auto results_examples = R"(Examples:
   regista results nights --json
 
 Each file NAME.db of the folder: how far it has come and when it was last written, who plays, what was asked, and what
-it says. Other databases are left out.
-
-Exit codes: 0 done; 1 the list could not be written; 2 bad input; 3 a defect of Regista.)";
+it says. Other databases are left out.)";
 
 struct ResultsOptions {
   std::string folder;
@@ -331,7 +326,9 @@ void add_report(Command& parent, const Invocation& invocation) {
   command.take("--standard-error", options->standard_error, "MATCH",
                "write what plugins wrote to standard error in this match");
   command.flag("--force", options->force, "replace files that exist already");
-  command.notes(report_examples);
+  command.notes(report_examples,
+                "0 done; 1 the report could not be written, or a match of --replays came out otherwise",
+                command::interruptible);
   command.run = [options, &command, &invocation] { return run(*options, command.outputs("report"), invocation); };
 }
 
@@ -341,7 +338,7 @@ void add_results(Command& parent, const Invocation& invocation) {
   command.take("folder", options->folder, "[FOLDER]", "where the results lie; default: the working folder",
                Reads::results);
   command.flag("--json", options->json, "write the list as JSON");
-  command.notes(results_examples);
+  command.notes(results_examples, "0 done; 1 the list could not be written");
   command.run = [options, &invocation] { return list(*options, invocation); };
 }
 

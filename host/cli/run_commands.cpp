@@ -37,10 +37,7 @@ constexpr auto run_examples = R"(Examples:
   regista run configs/studies/rivals.yaml --on slurm --array 64 --per-task 200
 
 The document is a tournament, an experiment or a tuning, and is played as `regista tournament`, `experiment` or `tune`
-would play it; these have options of their own besides. What was begun is gone on with by: regista resume RESULTS.db
-
-Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
-Regista; 130 interrupted.)";
+would play it; these have options of their own besides. What was begun is gone on with by: regista resume RESULTS.db)";
 
 struct RunOptions : StudyOptions {
   cluster::Options on_cluster;
@@ -120,10 +117,7 @@ the documents and plugins. Where one of them or the program has changed since, n
 --pairs gives a tournament or an experiment more pairs of matches: one that has ended, too, but none whose sequential
 test was fixed for a number of them. A study that --until or --minutes stopped is complete; only another --until,
 --minutes or --pairs goes on with it, and its report then says that pairs were added. A tuning writes its team to NAME.tuned.yaml beside the results.
---workers, --until, --minutes, --record-every and --notify are not stored: name them again.
-
-Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
-Regista; 130 interrupted.)";
+--workers, --until, --minutes, --record-every and --notify are not stored: name them again.)";
 
 struct ResumeOptions : campaign::Options {
   std::string file, pairs;
@@ -218,25 +212,19 @@ constexpr auto gather_examples = R"(Examples:
 
 Takes what the tasks have played over into FOLDER/results.db, and submits the next matches where some are missing and no
 task plays. The job after each array does the same. A study that is complete is reported. Matches that do not fit are
-named, and their part is kept in FOLDER/set_aside.
-
-Exit codes: 0 done; 1 the results could not be written; 2 bad input; 3 a defect of Regista.)";
+named, and their part is kept in FOLDER/set_aside.)";
 
 constexpr auto status_examples = R"(Examples:
   regista status rivals.cluster
   regista status rivals.cluster --json
 
 By the files alone: matches that were gathered and that tasks have played since, and what was found in those that were
-gathered. Nothing is changed, and Slurm is not asked.
-
-Exit codes: 0 done; 1 the status could not be written; 2 bad input; 3 a defect of Regista.)";
+gathered. Nothing is changed, and Slurm is not asked.)";
 
 constexpr auto stop_examples = R"(Examples:
   regista stop rivals.cluster
 
-Ends the jobs of the study. What was played is kept, and regista resume FOLDER goes on.
-
-Exit codes: 0 done; 1 its state could not be written; 2 bad input; 3 a defect of Regista.)";
+Ends the jobs of the study. What was played is kept, and regista resume FOLDER goes on.)";
 
 struct FolderOptions {
   campaign::Options campaign;
@@ -305,7 +293,7 @@ void add_run(Command& parent, const Invocation& invocation) {
   add_document_options(command, *options, config::DocumentKind::tournament, {});
   add_campaign_options(command, *options, "the study's name with .db");
   add_cluster_options(command, options->on_cluster);
-  command.notes(run_examples);
+  command.notes(run_examples, "0 played, whatever was found; 1 the results could not be written", command::resumable);
   command.run = [options, &command, &invocation] { return play(*options, command.outputs("study"), invocation); };
 }
 
@@ -317,7 +305,8 @@ void add_resume(Command& parent, const Invocation& invocation) {
   command.take("--pairs", options->pairs, "N",
                "of a tournament or an experiment: play so many pairs of matches in all, of each pairing or arm");
   add_playing_options(command, *options);
-  command.notes(resume_examples);
+  command.notes(resume_examples, "0 played, whatever was found; 1 the results could not be written",
+                command::resumable);
   command.run = [options, &command, &invocation] { return play(*options, command.outputs("study"), invocation); };
 }
 
@@ -328,7 +317,7 @@ void add_gather(Command& parent, const Invocation& invocation) {
   command.flag("--no-page", options->campaign.no_page, "of a complete study: write no page beside the results");
   command.flag("--json", options->campaign.json, "write the report of a complete study as JSON");
   command.flag("--quiet", options->campaign.quiet, "say nothing on standard error but errors");
-  command.notes(gather_examples);
+  command.notes(gather_examples, "0 done; 1 the results could not be written");
   command.run = [options, &invocation] { return gather(*options, invocation); };
 }
 
@@ -337,7 +326,7 @@ void add_status(Command& parent, const Invocation& /*invocation*/) {
   const auto options = std::make_shared<FolderOptions>();
   command.take("folder", options->folder, "FOLDER", "the study's folder", Reads::results);
   command.flag("--json", options->campaign.json, "write the status as JSON");
-  command.notes(status_examples);
+  command.notes(status_examples, "0 done; 1 the status could not be written");
   command.run = [options] { return tell_status(*options); };
 }
 
@@ -345,7 +334,7 @@ void add_stop(Command& parent, const Invocation& /*invocation*/) {
   Command& command = parent.add("stop", "end the jobs of a study on a cluster");
   const auto options = std::make_shared<FolderOptions>();
   command.take("folder", options->folder, "FOLDER", "the study's folder", Writes::results);
-  command.notes(stop_examples);
+  command.notes(stop_examples, "0 done; 1 its state could not be written");
   command.run = [options] { return stop(*options); };
 }
 

@@ -136,9 +136,7 @@ constexpr auto metrics_examples = R"(Examples:
   regista metrics --json
   regista metrics --page docs/metrics.md > new.md
 Each number can be named as a metric of a tournament or a measure of a study, but for lists and numbers of the match as a
-whole; with the name of a role in the place of <role>, and without "<role>." as the sum over all roles.
-
-Exit codes: 0 done; 1 the output could not be written; 2 bad input; 3 a defect of Regista.)";
+whole; with the name of a role in the place of <role>, and without "<role>." as the sum over all roles.)";
 
 struct MetricsOptions {
   bool json = false;
@@ -165,10 +163,7 @@ constexpr auto evaluate_predictor_examples = R"(Examples:
       --set predictor.params.deceleration=0.4 --set 'observations={every: 0.1, drop: 0.3, seed: 1}' \
       --set baselines.window=0.5 --json
 
-The formats of recordings: regista config schema predictor_study
-
-Exit codes: 0 done; 1 the result could not be written; 2 bad input; 3 a defect of Regista; 130
-interrupted.)";
+The formats of recordings: regista config schema predictor_study)";
 
 struct EvaluatePredictorOptions : PlainOptions {
   std::string data, referee;
@@ -251,7 +246,7 @@ void add_metrics(Command& parent, const Invocation& /*invocation*/) {
   command.flag("--json", options->json, "write JSON");
   command.take("--page", options->page, "FILE",
                "write this page of Markdown, with its tables of metrics as they are now", Reads::data);
-  command.notes(metrics_examples);
+  command.notes(metrics_examples, "0 done; 1 the output could not be written");
   command.run = [options] {
     output::print(written(*options));
     return exit_done;
@@ -270,7 +265,7 @@ void add_evaluate_predictor(Command& parent, const Invocation& invocation) {
   add_plugin_folders(command, options->plugins);
   command.flag("--json", options->json, "write the result as JSON");
   command.flag("--quiet", options->quiet, "no progress on the terminal");
-  command.notes(evaluate_predictor_examples);
+  command.notes(evaluate_predictor_examples, "0 done; 1 the result could not be written", command::interruptible);
   command.run = [options, &invocation] { return evaluate(*options, invocation); };
 }
 

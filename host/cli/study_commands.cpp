@@ -63,10 +63,7 @@ Without a test all pairs are played. With --until or --minutes the tournament en
 all teams have played, a number that no result decides; without --pairs and a test it plays as many as fit.
 Each option takes the place of what the document says. A path of --set is one of the document, or begins with a (the
 first team), b (the second), ..., rules, robot, disturbance or opening; any other goes to all teams. Each match runs in a process of its own: a plugin that crashes, hangs or takes all memory
-forfeits its match 0:10. That keeps accidents apart; it is no protection from malice.
-
-Exit codes: 0 played, whatever the verdict; 1 the results could not be written; 2 bad input; 3 a defect of
-Regista; 130 interrupted.)";
+forfeits its match 0:10. That keeps accidents apart; it is no protection from malice.)";
 
 int tournament(const StudyOptions& options, output::OutputFiles outputs, const Invocation& invocation) {
   const config::StudyRequest asked = options.asked();
@@ -95,10 +92,7 @@ team unless it begins with opponent, rules, robot, disturbance or opponent_distu
 With --until or --minutes the experiment ends before its planned number of pairs if time is over: with the pairs that
 every arm has played, a number that no result decides.
 All arms are checked before the first match; seeds, number of matches, test and hashes of everything are stored before
-it, too. At its end there are, beside the results NAME.db, the page NAME.html and the figures NAME.figures/*.svg.
-
-Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
-Regista; 130 interrupted.)";
+it, too. At its end there are, beside the results NAME.db, the page NAME.html and the figures NAME.figures/*.svg.)";
 
 struct ExperimentOptions : StudyOptions {
   std::string csv, summary;  // paths of files; empty: no file
@@ -150,10 +144,7 @@ best points are played again on other seeds, and the best of these meet the base
 in a test that may stop at any pair. The team that comes of it is written beside the results, NAME.tuned.yaml, with
 what was found about it in its head, whether or not it was found better.
 --until and --minutes end the search, as search.minutes does; what it found is then selected and verified, which takes
-its own time.
-
-Exit codes: 0 played, whatever was found; 1 the results could not be written; 2 bad input; 3 a defect of
-Regista; 130 interrupted.)";
+its own time.)";
 
 int tune(TuneOptions options, output::OutputFiles outputs, const Invocation& invocation) {
   if (options.file.empty()) throw BadInput("tune: which one? Name its file; see: regista tune --help");
@@ -255,7 +246,8 @@ void add_tournament(Command& parent, const Invocation& invocation) {
                Reads::documents);
   add_document_options(command, *options, config::DocumentKind::tournament, own, "the tournament's document");
   add_campaign_options(command, *options, "the tournament's name with .db");
-  command.notes(tournament_examples);
+  command.notes(tournament_examples, "0 played, whatever the verdict; 1 the results could not be written",
+                command::resumable);
   command.run = [options, &command, &invocation] {
     return tournament(*options, command.outputs("tournament"), invocation);
   };
@@ -276,7 +268,8 @@ void add_experiment(Command& parent, const Invocation& invocation) {
   command.take("--summary", options->summary, "FILE", "write means and intervals as a table", Writes::summary_table);
   command.flag("--force", options->force, "let --csv and --summary replace files of another kind");
   add_campaign_options(command, *options, "the experiment's name with .db");
-  command.notes(experiment_examples);
+  command.notes(experiment_examples, "0 played, whatever was found; 1 the results could not be written",
+                command::resumable);
   command.run = [options, &command, &invocation] {
     return experiment(*options, command.outputs("experiment"), invocation);
   };
@@ -351,7 +344,7 @@ void add_tune(Command& parent, const Invocation& invocation) {
                "file for the tuned team; default: NAME.tuned.yaml beside the results", Writes::tuned_team);
   command.flag("--force", options->force, "let --trace and the tuned team replace files of another kind");
   add_campaign_options(command, *options, "the tuning's name with .db");
-  command.notes(tune_examples);
+  command.notes(tune_examples, "0 played, whatever was found; 1 the results could not be written", command::resumable);
   command.run = [options, &command, &invocation] { return tune(*options, command.outputs("tuning"), invocation); };
 }
 

@@ -20,6 +20,9 @@ class Option;
 
 namespace regista::command {
 
+inline constexpr auto interruptible = "; 130 interrupted by Ctrl-C, 143 by SIGTERM";
+inline constexpr auto resumable = "; 130 interrupted by Ctrl-C, 143 by SIGTERM: regista resume goes on";
+
 class Command {
  public:
   // Creates the program itself, the root of all commands.
@@ -52,8 +55,13 @@ class Command {
     declared_.options.back().choices = std::move(choices);
   }
   void flag(const std::string& name, bool& into, const std::string& help);
-  // Sets the last part of --help, for example exit codes; form: see filled().
-  void notes(const std::string& text) { declared_.notes = text; }
+  // Sets the last part of --help; form: see filled(). codes: exit codes, without those that all commands share; "":
+  // says nothing about exit codes. stopped: `interruptible`, `resumable`, or "" for a command that ends at once.
+  void notes(const std::string& text, const std::string& codes = "", const std::string& stopped = "") {
+    declared_.notes = text;
+    if (!codes.empty())
+      declared_.notes += "\n\nExit codes: " + codes + "; 2 bad input; 3 a defect of Regista" + stopped + ".";
+  }
 
   // The action of the command. Returns an exit code. May throw exceptions, which explain_current_exception() explains.
   std::function<int()> run;
