@@ -148,35 +148,32 @@ std::string playing_note(const ExperimentView& view) {
   return fmt::format("Mean minutes of a match in the phase Playing: {}.", range);
 }
 
-// Returns a note on the packets of short games: for all arms, or in a sweep for the condition that overspends most.
+// Returns a note on the packets of short games: for all arms, or in a sweep for the condition that is most above its
+// share.
 std::string packets_note(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<std::string> spent;
-  std::size_t overspent = 0;
+  std::size_t above = 0;
   const auto text_of = [&](std::size_t condition) {
     const study::PacketsSpent& packets = view.course.packets(condition);
     return fmt::format("{} {:.4g} of {:.4g}{}", texts::visible(label(plan, condition)), packets.spent(),
-                       packets.share(), packets.overspent() ? " (OVERSPENT)" : "");
+                       packets.share(), packets.above_share() ? " (more than its share)" : "");
   };
   std::optional<std::size_t> most;
   for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
     const study::PacketsSpent& packets = view.course.packets(i);
     if (packets.games() == 0) continue;
     spent.push_back(text_of(i));
-    if (!packets.overspent()) continue;
-    ++overspent;
-    const auto over = [&](std::size_t condition) {
-      const study::PacketsSpent& each = view.course.packets(condition);
-      return each.spent() - each.share();
-    };
-    if (!most || over(i) > over(*most)) most = i;
+    if (!packets.above_share()) continue;
+    ++above;
+    if (!most || packets.over() > view.course.packets(*most).over()) most = i;
   }
   if (spent.empty()) return {};
   const std::string amounts =
-      !plan.swept()    ? fmt::format("{}", fmt::join(spent, ", "))
-      : overspent == 0 ? fmt::format("within it, or at most 5 % above it, in all {} conditions", spent.size())
-                       : fmt::format("more than 5 % above it in {} of {} conditions, most of all {}", overspent,
-                                     spent.size(), text_of(*most));
+      !plan.swept() ? fmt::format("{}", fmt::join(spent, ", "))
+      : above == 0  ? fmt::format("within it, or at most 5 % above it, in all {} conditions", spent.size())
+                    : fmt::format("more than 5 % above it in {} of {} conditions, most of all {}", above, spent.size(),
+                                  text_of(*most));
   return fmt::format("Packets per match, and the share of the budget for games of this length: {}.", amounts);
 }
 

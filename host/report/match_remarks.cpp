@@ -204,13 +204,14 @@ void add_remarks(const study::MatchRemarks& remarks, Json& out) {
 
 std::string packets_clause(const study::PacketsSpent& packets) {
   if (packets.games() == 0) return {};
-  return fmt::format("spent {:.4g} packets per match; the share of the budget for this length is {:.4g}{}",
-                     packets.spent(), packets.share(), packets.overspent() ? ": OVERSPENT" : "");
+  return fmt::format("spent {:.4g} packets per match{} the share of the budget for this length{} {:.4g}",
+                     packets.spent(), packets.above_share() ? ", more than" : ";", packets.above_share() ? ":" : " is",
+                     packets.share());
 }
 
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets) {
   if (packets.games() == 0) return nullptr;
-  return {{"per_match", packets.spent()}, {"share", packets.share()}, {"overspent", packets.overspent()}};
+  return {{"per_match", packets.spent()}, {"share", packets.share()}, {"above_share", packets.above_share()}};
 }
 
 std::string too_few_pairs(const study::TournamentPlan& plan) {

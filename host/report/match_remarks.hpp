@@ -58,13 +58,13 @@ nlohmann::ordered_json unplayed_json(std::uint64_t pairs, const study::MatchRema
 // {"matches", "listed": [{"match", "what"}]}, and "standard_error" with {"matches", "listed": [1, 2]}.
 void add_remarks(const study::MatchRemarks& remarks, nlohmann::ordered_json& out);
 
-// --- The packets of games shorter than a match, compared with the share of the budget for such a length. The word
-// OVERSPENT marks a team that spent more than 105 % of this share.
+// --- The packets of games shorter than a match, compared with the share of the budget for such a length. Each game
+// allows the budget of a whole match; a team counts as above its share if it spent more than 105 % of this share.
 
-// "spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT". Empty without shorter games.
+// "spent 45 packets per match, more than the share of the budget for this length: 30". Empty without shorter games.
 std::string packets_clause(const study::PacketsSpent& packets);
 
-// Returns {"per_match", "share", "overspent"}; null without shorter games.
+// Returns {"per_match", "share", "above_share"}; null without shorter games.
 nlohmann::ordered_json packets_json(const study::PacketsSpent& packets);
 
 // --- Sentences about the number of pairs: too few pairs for a verdict, a time limit (--until, --minutes) that ended

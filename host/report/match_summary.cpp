@@ -28,8 +28,8 @@ double share(double part, double whole) { return whole > 0.0 ? part / whole : 0.
 std::string packets(const match::TeamMetrics& team, int charged, int budget, const std::optional<double>& of_time) {
   std::string out = fmt::format("  packets {} of {}", charged, budget);
   if (of_time) {
-    out += fmt::format(" (share of this length: {:.4g}{})", *of_time,
-                       study::is_overspent(charged - *of_time, *of_time) ? ", OVERSPENT" : "");
+    out += fmt::format(" ({} of this length: {:.4g})",
+                       study::is_above_share(charged - *of_time, *of_time) ? "more than the share" : "share", *of_time);
   }
   std::vector<std::size_t> order;
   for (std::size_t reason = 0; reason < team.packets_by_reason.size(); ++reason) {

@@ -153,17 +153,17 @@ Table goals_of_several(const TournamentView& view, const TournamentHistory& reco
 
 // Adds packets and share of the budget of each team, if the games are short but have the budget of a whole match.
 void add_share_of_packets(const TournamentView& view, Section& out) {
-  bool overspent = false;
+  bool above = false;
   for (std::size_t team = 0; team < view.plan.teams.size(); ++team) {
     const study::PacketsSpent packets = view.course.packets(team);
     const std::string clause = packets_clause(packets);
     if (!clause.empty()) out.line(named(view.shown(team)) << ' ' + clause + '.');
-    overspent = overspent || (packets.games() > 0 && packets.overspent());
+    above = above || (packets.games() > 0 && packets.above_share());
   }
-  if (overspent) {
+  if (above) {
     out.line(
-        "A team that overspends here would run out of packets in a whole match. With --set "
-        "rules.messages.short_games=share a short game has its share of them.");
+        "Each of these games has the packets of a whole match. A team above its share sends more often than it could "
+        "all through a whole match. With --set rules.messages.short_games=share a short game has its share of them.");
   }
 }
 

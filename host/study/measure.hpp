@@ -65,16 +65,16 @@ class MatchMeasures {
 };
 
 // --- Packets of a team in short games, which end earlier than a whole match. Unless the rules say otherwise, a short
-// game has the packet budget of a whole match. So a team may look good because it sends packets at a rate that would
-// exhaust the budget in a whole match. Reports therefore show the number of packets beside the team's share, which is
-// the budget times (length of the game / length of a whole match).
+// game has the packet budget of a whole match. So a team may look good because it sends packets at a rate that the
+// budget of a whole match does not allow on average. Reports therefore show the number of packets beside the team's
+// share, which is the budget times (length of the game / length of a whole match).
 
 // Why the matches of a study do not have this metric, in words; empty if they have the metric.
 std::string why_missing(std::string_view metric, bool short_games);
 
 // Returns whether a team spent over 1.05 times its share. over: packets spent minus share. A game that ends between
 // packets may cause a small excess.
-inline bool is_overspent(double over, double share) { return over > 0.05 * share && over > 0.0; }
+inline bool is_above_share(double over, double share) { return over > 0.05 * share && over > 0.0; }
 
 // The packets of one team in one game: number sent, and the team's share of the budget.
 struct ShortGamePackets {
@@ -100,8 +100,8 @@ class PacketsSpent {
   std::int64_t games() const { return spent_.count(); }
   double spent() const { return spent_.mean(); }
   double share() const { return share_.mean(); }
-  // Returns whether the team overspent on average, by the mean of `over`: spent() - share() is rounded differently.
-  bool overspent() const { return is_overspent(over_.mean(), share_.mean()); }
+  double over() const { return over_.mean(); }  // spent() - share() is rounded differently
+  bool above_share() const { return is_above_share(over(), share()); }
 
  private:
   statistics::Moments spent_, share_, over_;

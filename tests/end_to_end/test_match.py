@@ -73,7 +73,7 @@ class Match(program.Case):
         sent = result["packets"][0]
         self.assertGreater(sent, 30)
         reasons = result["packets_by_reason"][0]
-        self.assertIn(f"packets {sent} of 1200 (share of this length: 30, OVERSPENT): {reasons['second']} second, "
+        self.assertIn(f"packets {sent} of 1200 (more than the share of this length: 30): {reasons['second']} second, "
                       f"{reasons['period']} period\n", page)
         self.assertIn("after 1.0 s, before the first kick-off\n", self.succeed("match", "small.yaml", "small.yaml", "--limit", "1"))
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reports of short games say what was spent of the share of the budget that their length has, and who overspent.
+// Reports of short games say what was spent of the share of the budget that their length has, and which team was above
+// it.
 #include <gmock/gmock.h>
 
 #include "course.hpp"
@@ -46,15 +47,16 @@ TEST(PacketsSpent, TextOfATournament) {
   EXPECT_THAT(tournament_text(course.view()), Not(HasSubstr("packets")));  // nothing is known yet
   course.play();
   EXPECT_THAT(tournament_text(course.view()),
-              HasSubstr("\na spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT.\n"
+              HasSubstr("\na spent 45 packets per match, more than the share of the budget for this length: 30.\n"
                         "b spent 20 packets per match; the share of the budget for this length is 30.\n"
-                        "A team that overspends here would run out of packets in a whole match. With --set "
-                        "rules.messages.short_games=share a short game has its share of them.\n"));
+                        "Each of these games has the packets of a whole match. A team above its share sends more often "
+                        "than it could all through a whole match. With --set rules.messages.short_games=share a short "
+                        "game has its share of them.\n"));
   EXPECT_THAT(standing_text(course.view()), Not(HasSubstr("packets")));  // of the live display
 }
 
 // Of one match; 30 packets are its share of the budget, and 31 are 3 % more.
-TEST(PacketsSpent, WhoSpendsTheShareAndFivePercentHasNotOverspent) {
+TEST(PacketsSpent, ShareAndFivePercentIsNotAboveIt) {
   campaign::PlayedMatch match;
   match.teams = match.titles = {"a", "b"};
   match.budget = 1200;
@@ -64,13 +66,13 @@ TEST(PacketsSpent, WhoSpendsTheShareAndFivePercentHasNotOverspent) {
               AllOf(HasSubstr("\na (home)\n"), HasSubstr("  packets 30 of 1200 (share of this length: 30)\n"),
                     HasSubstr("\nb (away)\n"), HasSubstr("  packets 31 of 1200 (share of this length: 30)\n")));
   match.result.packets = {32, 0};
-  EXPECT_THAT(summary_text(match, {}), HasSubstr("  packets 32 of 1200 (share of this length: 30, OVERSPENT)\n"));
+  EXPECT_THAT(summary_text(match, {}), HasSubstr("  packets 32 of 1200 (more than the share of this length: 30)\n"));
 }
 
 TEST(PacketsSpent, TextOfSeveralTeamsStandsBelowTheirPairings) {
   ShortGames course({"a", "b", "c"});
   course.play();
-  EXPECT_THAT(tournament_text(course.view()), HasSubstr("\n\nPackets\na spent 45 packets per match; "));
+  EXPECT_THAT(tournament_text(course.view()), HasSubstr("\n\nPackets\na spent 45 packets per match, "));
 }
 
 TEST(PacketsSpent, WholeMatchesHaveNothingToTell) {
@@ -85,8 +87,8 @@ TEST(PacketsSpent, JsonOfATournament) {
   ShortGames course;
   course.play();
   const json teams = json::parse(tournament_json(course.view()))["teams"];
-  EXPECT_EQ(teams[0]["packets_of_short_games"], json::parse(R"({"per_match": 45, "share": 30, "overspent": true})"));
-  EXPECT_EQ(teams[1]["packets_of_short_games"], json::parse(R"({"per_match": 20, "share": 30, "overspent": false})"));
+  EXPECT_EQ(teams[0]["packets_of_short_games"], json::parse(R"({"per_match": 45, "share": 30, "above_share": true})"));
+  EXPECT_EQ(teams[1]["packets_of_short_games"], json::parse(R"({"per_match": 20, "share": 30, "above_share": false})"));
 }
 
 TEST(PacketsSpent, TableOfATournament) {
@@ -107,8 +109,8 @@ TEST(PacketsSpent, PageOfATournament) {
     record.take(&each);
   }
   const std::string page = tournament_page(course.view(), record);
-  EXPECT_THAT(page, HasSubstr("<bdi>a</bdi> spent 45 packets per match; the share of the budget for this length is 30: "
-                              "OVERSPENT."));
+  EXPECT_THAT(page, HasSubstr("<bdi>a</bdi> spent 45 packets per match, more than the share of the budget for this "
+                              "length: 30."));
   EXPECT_THAT(page,
               HasSubstr("<bdi>b</bdi> spent 20 packets per match; the share of the budget for this length is 30."));
 }
@@ -123,10 +125,10 @@ TEST(PacketsSpent, OfATunedTeam) {
     return decided;
   });
   EXPECT_THAT(text_of(course.view()),
-              HasSubstr("It spent 45 packets per match; the share of the budget for this length is 30: OVERSPENT.\n"));
+              HasSubstr("It spent 45 packets per match, more than the share of the budget for this length: 30.\n"));
   EXPECT_EQ(json::parse(
                 outline_json(tuning_outline(course.view())))["verification"]["candidates"][0]["packets_of_short_games"],
-            json::parse(R"({"per_match": 45, "share": 30, "overspent": true})"));
+            json::parse(R"({"per_match": 45, "share": 30, "above_share": true})"));
   const TunedCourse whole(plan, [&](const campaign::Job& job) { return decided_by(plan, job, peak); });
   EXPECT_THAT(text_of(whole.view()), Not(HasSubstr("packets")));
 }
@@ -153,18 +155,18 @@ TEST(PacketsSpent, OfTheArmsOfAnExperiment) {
   const ToldExperiment arms = told(study::experiment_of(4, 1, 2));
   EXPECT_THAT(arms.notes,
               Contains("Packets per match, and the share of the budget for games of this length: arm 0 10 of "
-                       "30, arm 1 20 of 30, arm 2 30 of 30, arm 3 40 of 30 (OVERSPENT)."));
+                       "30, arm 1 20 of 30, arm 2 30 of 30, arm 3 40 of 30 (more than its share)."));
   EXPECT_EQ(arms.conditions[1]["packets_of_short_games"],
-            json::parse(R"({"per_match": 20, "share": 30, "overspent": false})"));
+            json::parse(R"({"per_match": 20, "share": 30, "above_share": false})"));
   EXPECT_EQ(arms.conditions[3]["packets_of_short_games"],
-            json::parse(R"({"per_match": 40, "share": 30, "overspent": true})"));
+            json::parse(R"({"per_match": 40, "share": 30, "above_share": true})"));
 }
 
-TEST(PacketsSpent, OfASweepWhereItIsOverspent) {
+TEST(PacketsSpent, OfASweepWhereItIsAboveTheShare) {
   EXPECT_THAT(
       told(study::experiment_of(2, 2, 2)).notes,
       Contains("Packets per match, and the share of the budget for games of this length: more than 5 % above it "
-               "in 1 of 4 conditions, most of all arm 1 at 1 40 of 30 (OVERSPENT)."));
+               "in 1 of 4 conditions, most of all arm 1 at 1 40 of 30 (more than its share)."));
   EXPECT_THAT(told(study::experiment_of(1, 3, 2)).notes,
               Contains("Packets per match, and the share of the budget for games of this length: within it, or at most "
                        "5 % above it, in all 3 conditions."));

@@ -43,30 +43,30 @@ TEST(PacketsSpent, AreNoneOfWholeMatches) {
 }
 
 // The budget of each game is its share, and all of it is spent: a mean of shares that is rounded down must not tell.
-TEST(PacketsSpent, WhoSpendsTheShareDoesNotOverspend) {
+TEST(PacketsSpent, TheShareIsNotAboveIt) {
   PacketsSpent packets;
   for (int game = 0; game < 1000; ++game) {
     const double share = 0.1 * (game % 7);
     packets.add({share, share, 0.0});
-    EXPECT_FALSE(packets.overspent());
+    EXPECT_FALSE(packets.above_share());
   }
   packets.add({0.2, 0.1, 0.1});  // 0.03 % more of all 300
-  EXPECT_FALSE(packets.overspent());
+  EXPECT_FALSE(packets.above_share());
   EXPECT_EQ(packets.games(), 1001);
 }
 
-TEST(PacketsSpent, MoreThanFivePercentAboveTheShareAreOverspent) {
-  const auto overspent = [](double spent) {
+TEST(PacketsSpent, MoreThanFivePercentMoreIsAboveIt) {
+  const auto above_share = [](double spent) {
     PacketsSpent packets;
     packets.add({spent, 40.0, spent - 40.0});
-    return packets.overspent();
+    return packets.above_share();
   };
-  EXPECT_FALSE(overspent(41.0));
-  EXPECT_FALSE(overspent(42.0));
-  EXPECT_TRUE(overspent(42.5));
+  EXPECT_FALSE(above_share(41.0));
+  EXPECT_FALSE(above_share(42.0));
+  EXPECT_TRUE(above_share(42.5));
   PacketsSpent nothing_to_spend;
   nothing_to_spend.add({0.0, 0.0, 0.0});
-  EXPECT_FALSE(nothing_to_spend.overspent());
+  EXPECT_FALSE(nothing_to_spend.above_share());
 }
 
 TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
@@ -89,13 +89,13 @@ TEST(PacketsSpent, OfATournamentAreThoseOfThePairsThatCount) {
     EXPECT_EQ(course.packets(0).games(), 2);
     EXPECT_EQ(course.packets(0).spent(), (40.0 + 50.0) / 2.0);
     EXPECT_EQ(course.packets(0).share(), (30.0 + 20.0) / 2.0);
-    EXPECT_TRUE(course.packets(0).overspent());
+    EXPECT_TRUE(course.packets(0).above_share());
     EXPECT_EQ(course.packets(1).games(), 3);
     EXPECT_EQ(course.packets(1).spent(), (10.0 + 20.0 + 12.0) / 3.0);
-    EXPECT_FALSE(course.packets(1).overspent());
+    EXPECT_FALSE(course.packets(1).above_share());
     EXPECT_EQ(course.packets(2).games(), 1);
     EXPECT_EQ(course.packets(2).spent(), 33.0);
-    EXPECT_TRUE(course.packets(2).overspent());
+    EXPECT_TRUE(course.packets(2).above_share());
     take(unplayed());
     take(match(0, 0, metrics(900, 900)));  // the other way round
     EXPECT_EQ(course.packets(0).spent(), 45.0);
@@ -126,11 +126,11 @@ TEST(PacketsSpent, OfAnExperimentAreThoseOfTheArmsTeamInPairsThatHaveValues) {
   }
   EXPECT_EQ(course.packets(0).games(), 2);
   EXPECT_EQ(course.packets(0).spent(), 40.0);
-  EXPECT_TRUE(course.packets(0).overspent());
+  EXPECT_TRUE(course.packets(0).above_share());
   EXPECT_EQ(course.packets(1).games(), 2);
   EXPECT_EQ(course.packets(1).spent(), 10.0);
   EXPECT_EQ(course.packets(1).share(), 30.0);
-  EXPECT_FALSE(course.packets(1).overspent());
+  EXPECT_FALSE(course.packets(1).above_share());
 }
 
 }  // namespace
