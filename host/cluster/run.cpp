@@ -279,7 +279,7 @@ Status status_of(const StudyFolder& folder) {
 
 std::string in_words(const Status& status) {
   const std::uint64_t done = status.progress.rows + status.in_parts, all = status.progress.matches;
-  std::string out = fmt::format("{} of {} matches", done, all);
+  std::string out = all == 0 ? texts::plural(done, "match", "matches") : fmt::format("{} of {} matches", done, all);
   if (status.failed_in_parts > 0) out += fmt::format(", {} forfeited or set aside lately", status.failed_in_parts);
   if (status.running > 0) out += ", " + texts::plural(status.running, "task plays", "tasks play");
   if (status.rate > 0.0) {

@@ -199,7 +199,7 @@ Step step(const StudyFolder& folder, campaign::Store& results, bool restart, con
   const Missing missing = missing_of(report->study(), results, settings.tasks * settings.matches);
   const report::Outline outline = report->outline();
   progress.title = outline.title;
-  progress.matches = report->study().most_matches();
+  progress.matches = report->study().open_end().empty() ? report->study().most_matches() : 0;
   progress.finding = report->study().counted() > 0 ? plain(outline.headline) : "";
   progress.rows = static_cast<std::uint64_t>(results.rows());
   folder.write(progress);  // written now, because the following calls of Slurm may throw

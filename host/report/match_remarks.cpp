@@ -45,16 +45,18 @@ std::string too_few(std::uint64_t pairs, const statistics::PowerDesign& design, 
                      design.family == 1 ? std::string() : fmt::format(" with {} {}", design.family, what));
 }
 
-std::string stopped(std::optional<std::uint64_t> after, const std::string& of) {
+// chosen: whether results may have decided the number, because the user went on after a look, or by a sequential test.
+std::string stopped(std::optional<std::uint64_t> after, const std::string& of, bool chosen) {
   if (!after) return {};
-  return fmt::format("The clock stopped it after {}{} {}, a number that was fixed without looking at the results.",
-                     *after, of, *after == 1 && of.empty() ? "pair" : "pairs");
+  return fmt::format("The clock stopped it after {}{} {}{}.", *after, of, *after == 1 && of.empty() ? "pair" : "pairs",
+                     chosen ? "" : ", a number that was fixed without looking at the results");
 }
 
-std::string number(std::optional<std::uint64_t> after, std::uint64_t planned, bool open) {
-  if (!after) return open ? "as many pairs as time allows" : pairs_in_words(planned);
+std::string number(std::optional<std::uint64_t> after, std::uint64_t planned, std::string_view open_end) {
+  if (!after)
+    return open_end.empty() ? pairs_in_words(planned) : fmt::format("pairs until {} ends the study", open_end);
   return pairs_in_words(*after) + ", where the clock stopped it" +
-         (open ? std::string() : fmt::format(" ({} {} planned)", planned, planned == 1 ? "was" : "were"));
+         (open_end.empty() ? fmt::format(" ({} {} planned)", planned, planned == 1 ? "was" : "were") : "");
 }
 
 struct Words {
@@ -226,19 +228,18 @@ std::string too_few_pairs(const study::ExperimentPlan& plan) {
 }
 
 std::string number_of_pairs(const study::TournamentPlan& plan) {
-  return number(plan.ended_after, plan.pairs(), plan.ends_by_the_clock_alone());
+  return number(plan.ended_after, plan.pairs(), plan.open_end());
 }
 
-std::string number_of_pairs(const study::ExperimentPlan& plan) { return number(plan.ended_after, plan.pairs, false); }
+std::string number_of_pairs(const study::ExperimentPlan& plan) { return number(plan.ended_after, plan.pairs, {}); }
 
 std::string stopped_sentence(const study::TournamentPlan& plan) {
-  return stopped(plan.ended_after, plan.ends_by_the_clock_alone() || !plan.asked.pairs
-                                       ? std::string()
-                                       : fmt::format(" of {}", plan.pairs()));
+  return stopped(plan.ended_after, plan.open_end().empty() ? fmt::format(" of {}", plan.pairs()) : std::string(),
+                 plan.asked.test || !plan.pairs_before.empty());
 }
 
 std::string stopped_sentence(const study::ExperimentPlan& plan) {
-  return stopped(plan.ended_after, fmt::format(" of {}", plan.pairs));
+  return stopped(plan.ended_after, fmt::format(" of {}", plan.pairs), !plan.pairs_before.empty());
 }
 
 std::string more_pairs_sentence(const std::string& before) {

@@ -88,11 +88,7 @@ class TournamentReport final : public StudyReport {
 
   std::string incomplete() const override {
     if (course_.complete()) return {};
-    if (course_.ends_by_the_clock_alone())
-      return fmt::format("{} without a gap: the tournament is not at its end",
-                         texts::plural(course_.matches(), "match", "matches"));
-    return fmt::format("{} of {} matches without a gap: the tournament is not at its end", course_.matches(),
-                       course_.calendar().matches());
+    return course_.so_far(course_.matches()) + " without a gap: the tournament is not at its end";
   }
 
   bool has_a_column_for_each_metric() const override { return true; }
@@ -150,7 +146,7 @@ std::vector<Tile> tiles_of(const TournamentView& view) {
                              : Tile{std::to_string(view.course.calendar().pairings().size()), "pairings"});
   }
   std::string games = games_in_words(view.plan.openings);
-  if (!view.plan.ends_by_the_clock_alone()) games += fmt::format(" of {} planned", view.course.calendar().matches());
+  if (view.plan.open_end().empty()) games += fmt::format(" of {} planned", view.course.calendar().matches());
   out.push_back({std::to_string(view.course.matches()), games});
   return out;
 }
@@ -305,12 +301,12 @@ WhatWasPlayed what_was_played(const study::TournamentPlan& plan) {
     (team ? out.teams[*team].set : out.set).push_back(path + '=' + config::flow(each.value));
   }
   const bool one = plan.pairings().size() == 1;
-  out.amount = fmt::format(
-      "{}{}{}, seeds from {}", plan.asked.pairs ? "" : "a test decides, at most ", number_of_pairs(plan),
-      one                 ? std::string()
-      : plan.rounds() > 0 ? fmt::format(" of each of {} meetings in {} rounds", plan.meetings(), plan.rounds())
-                          : fmt::format(" of each of {} pairings", plan.pairings().size()),
-      plan.first_seed());
+  out.amount = fmt::format("{}{}, seeds from {}", number_of_pairs(plan),
+                           one ? std::string()
+                           : plan.rounds() > 0
+                               ? fmt::format(" of each of {} meetings in {} rounds", plan.meetings(), plan.rounds())
+                               : fmt::format(" of each of {} pairings", plan.pairings().size()),
+                           plan.first_seed());
   complete(out, plan);
   if (plan.ended_after) {  // a repetition must have as many pairs as were played
     config::Tournament asked = plan.asked;
@@ -359,8 +355,7 @@ std::string title(const TournamentView& view) {
   const std::size_t pairings = view.course.calendar().pairings().size();
   const std::uint64_t played = view.course.taken() / 2 / pairings;  // includes pairs of teams that were set aside
   std::string out = fmt::format("{} ({}", who, pairs_in_words(played));
-  if (played < view.plan.pairs() && !view.plan.ends_by_the_clock_alone())
-    out += fmt::format(" of {}", view.plan.pairs());
+  if (played < view.plan.pairs() && view.plan.open_end().empty()) out += fmt::format(" of {}", view.plan.pairs());
   if (pairings > 1) out += " each";
   return out + fmt::format(", seeds from {}{})", view.plan.first_seed(), games_of(view.plan));
 }

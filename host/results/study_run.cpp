@@ -62,12 +62,13 @@ class StudyProgress {
   StudyProgress(const StudyProgress&) = delete;
   StudyProgress& operator=(const StudyProgress&) = delete;
 
-  // Shows a first line, which stays until the first match has ended.
-  void begin() {
-    if (end_of_time_)
-      note(fmt::format("no match begins after {}; the study ends then, after a whole pair",
-                       campaign::in_words(*end_of_time_)));
-    if (rewrite_) show(of_all(0) + ", the first is being played\n");
+  // Shows a first line, which stays until the first match has ended. until: whether --until gave the end of time; only
+  // this line says which day `--until 08:00` means, so --quiet does not leave it out.
+  void begin(bool until) {
+    if (end_of_time_ && (wanted_ || until))
+      command::say(fmt::format("no match begins after {}; the study ends then, after a whole pair\n",
+                               campaign::in_words(*end_of_time_)));
+    if (rewrite_) show(report_.study().so_far(0) + ", the first is being played\n");
   }
   // Shows the next match, which the study has taken. decided: null for a match not needed. fresh: played in this run.
   void match(const study::Round& round, std::uint64_t index, const campaign::MatchResult* decided, bool fresh) {
@@ -83,7 +84,7 @@ class StudyProgress {
     if (!fresh) return;
     const std::uint64_t number = round.first_row + index + 1;
     const study::Study& study = report_.study();
-    const std::string of = study.ends_by_the_clock_alone() ? "" : fmt::format(" of {}", study.most_matches());
+    const std::string of = !study.open_end().empty() ? "" : fmt::format(" of {}", study.most_matches());
     command::say(fmt::format("match {}{}, {}\n", number, of, report_.match(round, index, *decided)));
     if (number % between_standings == 0) command::say(block());
   }
@@ -114,18 +115,14 @@ class StudyProgress {
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string of_all(std::uint64_t matches) const {
-    if (report_.study().ends_by_the_clock_alone()) return texts::plural(matches, "match", "matches");
-    return fmt::format("{} of {} matches", matches, report_.study().most_matches());
-  }
   double seconds() const { return std::chrono::duration<double>(Clock::now() - began_).count(); }
   std::string rate_text() const {
     return fmt::format("{:.2f} matches/s", static_cast<double>(played_) / std::max(seconds(), 1e-3));
   }
   std::string block() const {
     const std::uint64_t matches = report_.study().most_matches();
-    std::string text = fmt::format("{}{}, {}", report_.standing(), of_all(taken_), rate_text());
-    if (played_ > 0) {
+    std::string text = fmt::format("{}{}, {}", report_.standing(), report_.study().so_far(taken_), rate_text());
+    if (played_ > 0 && (end_of_time_ || report_.study().open_end().empty())) {
       double left = static_cast<double>(matches - std::min(taken_, matches)) * seconds() / static_cast<double>(played_);
       if (end_of_time_) {
         const double to_end = std::chrono::duration<double>(*end_of_time_ - std::chrono::system_clock::now()).count();
@@ -298,9 +295,8 @@ std::optional<std::uint64_t> play(study::Study& study, const campaign::Options& 
     if (finish != campaign::Finish::interrupted) return;
     progress.clear();
     progress.stopped();
-    throw command::Interrupted(
-        fmt::format("interrupted after {} of {} matches; to go on: {}", study.counted(), study.most_matches(), resume),
-        interruption.signal_number());
+    throw command::Interrupted(fmt::format("interrupted after {}; to go on: {}", study.so_far(study.counted()), resume),
+                               interruption.signal_number());
   };
   bool reported = false;
   store.when_locked([&](const campaign::Locked& locked) {
@@ -361,7 +357,7 @@ report::CommandOf play_again(const Invocation& invocation) {
 
 bool play_matches(report::StudyReport& report, const campaign::Options& options, const Invocation& invocation,
                   campaign::Store& store, const study::AfterMatch& after) {
-  if (report.study().ends_by_the_clock_alone() && !options.end_of_time) {
+  if (report.study().open_end() == "the clock" && !options.end_of_time) {
     throw command::BadInput(
         fmt::format("{}: no number of pairs was asked for; how long is it to play? Say --until, "
                     "--minutes or, of regista resume, --pairs",
@@ -373,7 +369,7 @@ bool play_matches(report::StudyReport& report, const campaign::Options& options,
   LivePage live({options.results, store, invocation.studies}, options.live);
   live.match();
   if (options.live) progress.note(fmt::format("page: {}", texts::one_line(study::page_file(options.results).string())));
-  progress.begin();
+  progress.begin(!options.until.empty());
   const study::AfterMatch with_page = [&](const study::Round& round, std::uint64_t index,
                                           const campaign::MatchResult* decided) {
     if (after) after(round, index, decided);

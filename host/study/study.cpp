@@ -26,6 +26,11 @@ std::string study_of(const std::string& plan) {
   return json["study"].get<std::string>();
 }
 
+std::string Study::so_far(std::uint64_t matches) const {
+  if (open_end().empty()) return std::to_string(matches) + " of " + std::to_string(most_matches()) + " matches";
+  return texts::plural(matches, "match", "matches") + " (" + std::string(open_end()) + " ends the study)";
+}
+
 PlayRound observed(PlayRound play, AfterMatch after) {
   if (!after) return play;
   return [play = std::move(play), after = std::move(after)](const Round& round) {

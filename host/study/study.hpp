@@ -66,7 +66,9 @@ class Study {
   virtual campaign::Metrics metrics() const = 0;   // the metrics of a match that the study needs
   virtual campaign::Limits limits() const = 0;     // limits of each match
   virtual const std::string& folder() const = 0;   // absolute path; relative paths in the plan start at it
-  virtual bool ends_by_the_clock_alone() const { return false; }  // true if the user set no number of matches
+  // What ends a study whose number of matches nobody set: "the test" or "the clock"; otherwise empty.
+  virtual std::string_view open_end() const { return {}; }
+  std::string so_far(std::uint64_t matches) const;  // "5 of 24 matches"; "5 matches (the clock ends the study)"
 
   // The plan as JSON, {"study": KIND, ...}. The program can make the study again from this text.
   virtual std::string plan() const = 0;

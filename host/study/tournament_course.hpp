@@ -108,7 +108,7 @@ class Tournament final : public Study {
   campaign::Metrics metrics() const override;
   campaign::Limits limits() const override { return plan_.limits(); }
   const std::string& folder() const override { return plan_.folder; }
-  bool ends_by_the_clock_alone() const override { return plan_.ends_by_the_clock_alone() && !plan_.ended_after; }
+  std::string_view open_end() const override { return plan_.ended_after ? "" : plan_.open_end(); }
   std::string plan() const override { return to_json(plan_); }
   std::vector<std::string> differences(const std::string& before) const override {
     return study::differences(tournament_plan_from_json(before), plan_);

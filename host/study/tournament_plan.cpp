@@ -274,7 +274,9 @@ std::uint64_t TournamentPlan::pairs() const {
   return asked.pairs ? static_cast<std::uint64_t>(*asked.pairs) : most_pairs;
 }
 
-bool TournamentPlan::ends_by_the_clock_alone() const { return !asked.test && pairs() == most_pairs; }
+std::string_view TournamentPlan::open_end() const {
+  return pairs() != most_pairs ? "" : asked.test ? "the test" : "the clock";
+}
 
 std::vector<Pairing> TournamentPlan::pairings() const {
   std::vector<Pairing> out;

@@ -76,7 +76,7 @@ struct TournamentPlan : StudyPlan<config::Tournament> {
   std::uint64_t pairs() const;            // most pairs that each pairing (Swiss, knock-out: each meeting) plays
   std::uint64_t rounds() const;           // 0: the schedule does not depend on results
   std::uint64_t pairs_to_its_end() const { return ended_after.value_or(pairs()); }
-  bool ends_by_the_clock_alone() const;  // true if the user set neither pairs nor a test
+  std::string_view open_end() const;  // see Study::open_end()
   std::uint64_t matches() const { return 2 * pairs() * meetings(); }
   std::uint64_t meetings() const;  // number of meetings of two teams
   Objective objective() const { return objective_of(asked); }

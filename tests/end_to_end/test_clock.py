@@ -2,6 +2,7 @@
 """--until and --minutes: a study stops after a whole pair, stores where, and is complete; it goes on only if it is asked
 to."""
 
+import datetime
 import json
 import signal
 import subprocess
@@ -50,6 +51,11 @@ class Clock(tournament.Tournament):
         second = on["ended_after"]
         self.assertGreater(second, first)
         self.assertEqual(on["pairs_before"], str(first))
+        # Its number of pairs was not fixed without looking, and nothing says so.
+        text = self.succeed("report", "tournament.db")
+        self.assertIn(f"It had {first} pairs before it was given more.", text)
+        self.assertIn(f"The clock stopped it after {second} of {self.NEVER_DONE} pairs.\n", text)
+        self.assertNotIn("without looking", text)
         self.assertIn(f"it has {second} pairs already", self.refused("resume", "tournament.db", "--pairs", second))
         more = json.loads(self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--json", "--pairs", second + 2))
         self.assertEqual((more["pairs"], more["pairs_before"], more["complete"]), (second + 2, f"{first}, {second}", True))
@@ -72,6 +78,33 @@ class Clock(tournament.Tournament):
             self.assertIn("--minutes 9 --resume", running.communicate()[1])
         self.assertIn("no number of pairs was asked for", self.refused("resume", "more.db"))
         self.assertIn("without a gap: the tournament is not at its end", self.run_program("report", "more.db").stderr)
+
+    def test_a_test_without_a_number_of_pairs(self):
+        words = [each for each in self.arguments("--sprt", "0,1") if each not in ("--pairs", 3)]
+        with self.start(*words, stderr=subprocess.PIPE, stdout=subprocess.PIPE) as running:
+            first = running.stderr.readline()
+            running.send_signal(signal.SIGTERM)
+            error = running.communicate(timeout=program.PATIENCE)[1]
+        self.assertEqual(running.returncode, 143)
+        self.assertTrue(first.startswith("match 1, seed "), first)
+        self.assertRegex(error, r"interrupted after \d+ matches \(the test ends the study\); to go on: ")
+        self.assertNotIn("0000", error)
+        said = self.run_program("report", "tournament.db")
+        self.assertIn("matches (the test ends the study) without a gap: the tournament is not at its end", said.stderr)
+        self.assertIn("; pairs until the test ends the study, seeds from ", said.stdout)
+        self.assertNotIn("of 10000000", said.stdout)
+        # SIGTERM loses nothing: it goes on, here until the clock stops it.
+        rows = self.count()
+        self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--minutes", self.A_WHILE)
+        self.assertGreater(self.count(), rows)
+        self.assertRegex(self.succeed("report", "tournament.db"), r"The clock stopped it after \d+ pairs\.\n")
+
+    def test_which_day_is_meant(self):
+        then = datetime.datetime.now() + datetime.timedelta(minutes=2)
+        for quiet in ((), ("--quiet",)):
+            done = self.run_program(*self.arguments(*quiet, "--until", f"{then:%H:%M}", "--results", f"{len(quiet)}.db", pairs=1))
+            self.assertEqual(done.returncode, 0)
+            self.assertIn(f"no match begins after {then:%Y-%m-%d %H:%M}; the study ends then, after a whole pair\n", done.stderr)
 
     def test_several_pairings_and_a_sequential_test(self):
         report = self.stopped("--team", "worse.yaml", file="three.db")

@@ -42,7 +42,21 @@ TEST(PairsText, SaysWhereTheClockStoppedIt) {
   EXPECT_EQ(stopped_sentence(plan),
             "The clock stopped it after 1 pair, a number that was fixed without looking at the results.");
   plan.ended_after.reset();
-  EXPECT_EQ(number_of_pairs(plan), "as many pairs as time allows");
+  EXPECT_EQ(number_of_pairs(plan), "pairs until the clock ends the study");
+  plan.asked.pairs.reset();
+  plan.asked.test = study::plan_of(2, 1, study::ValueTest{"goals"}).asked.test;
+  EXPECT_EQ(number_of_pairs(plan), "pairs until the test ends the study");
+  // Where results may have decided the number, it was not fixed without looking at them.
+  plan.ended_after = 37;
+  EXPECT_EQ(stopped_sentence(plan), "The clock stopped it after 37 pairs.");
+  plan.asked.test.reset();
+  plan.asked.pairs = 100;
+  plan.pairs_before = "12";
+  EXPECT_EQ(stopped_sentence(plan), "The clock stopped it after 37 of 100 pairs.");
+  study::ExperimentPlan experiment = study::experiment_of(2, 1, 100);
+  experiment.ended_after = 37;
+  experiment.pairs_before = "12";
+  EXPECT_EQ(stopped_sentence(experiment), "The clock stopped it after 37 of 100 pairs.");
 }
 
 }  // namespace
