@@ -131,8 +131,10 @@ void require_unchanged(const std::string& results, std::span<const campaign::Job
     const campaign::MatchSetup now = campaign::match_setup(job, catalogue, campaign::KeyNames::former_too);
     const std::string changed = campaign::what_changed(job, now, catalogue, program, mathematics);
     if (changed.empty()) continue;
-    throw BadInput(fmt::format("resume: {} was begun with something else: {}; its matches would be mixed with others",
-                               results, changed));
+    throw BadInput(
+        fmt::format("resume: {0} was begun with something else: {1}; its matches would be mixed with others; "
+                    "to play it anew: regista report {0} --study FOLDER",
+                    results, changed));
   }
 }
 

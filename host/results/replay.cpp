@@ -143,9 +143,9 @@ void require_viewer(const Invocation& invocation) {
   std::error_code none;
   if (fs::exists(viewer, none)) return;
   throw BadInput(
-      fmt::format("view: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
+      fmt::format("{}: this build has no viewer page ({} is missing): it is made where Node.js is installed and "
                   "`npm ci` was run in viewer/; `regista view --at` and other readers of MCAP work without it",
-                  viewer.string()));
+                  invocation.command(), viewer.string()));
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ std::string viewer_page(const std::filesystem::path& recording, std::string_view
   const std::optional<std::string> page = config::file_content(viewer);
   if (!page) throw BadInput(fmt::format("{}: cannot be read", viewer.string()));
   const auto out = recording::match_page(*page, recording::packed_recording(recording), name, mark);
-  if (!out) throw BadInput(fmt::format("view: {} belongs to another version of Regista", viewer.string()));
+  if (!out) throw BadInput(fmt::format("{}: belongs to another version of Regista", viewer.string()));
   return *out;
 }
 

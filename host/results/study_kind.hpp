@@ -29,6 +29,7 @@ struct Invocation {
   std::filesystem::path executable{};  // path of the program's file; empty if the system does not know it
   std::span<const StudyKind> studies{};
 
+  std::string command() const { return arguments.size() > 1 ? arguments[1] : std::string(); }  // "report"
   // Returns the path of a file or folder of the program, such as "share/regista/viewer.html", even if this path does
   // not exist. The path is empty if the system does not know the path of the program.
   std::filesystem::path own(const std::filesystem::path& name) const {

@@ -241,8 +241,8 @@ class Replays(tournament.Tournament):
             self.assertIn("--replays", self.refused("report", "tournament.db", "--replays", number))
         self.assertIn("of one file", self.refused("report", "tournament.db", "tournament.db", "--replays", "2"))
         (self.folder / "share/regista/viewer.html").unlink()
-        self.assertIn("no viewer page", self.refused(*view, "--row", "1"))
-        self.assertIn("no viewer page", self.refused("report", "tournament.db", "--replays", "1"))
+        self.assertIn("view: this build has no viewer page", self.refused(*view, "--row", "1"))
+        self.assertIn("report: this build has no viewer page", self.refused("report", "tournament.db", "--replays", "1"))
         self.assertFalse((self.folder / "tournament.replays").exists())
 
     def test_without_a_win(self):

@@ -138,7 +138,11 @@ set: {rules.durations.ready: 1, rules.durations.set: 1}
         self.succeed("run", "study.yaml", "--quiet", "--no-page")
         with open(self.program, "ab") as program_file:
             program_file.write(b"\0")
-        self.assertIn("was begun with something else: ", self.refused("resume", "small_one.db"))
+        self.assertIn("was begun with something else: program has changed; its matches would be mixed with others; to play it "
+                      "anew: regista report small_one.db --study FOLDER", self.refused("resume", "small_one.db"))
+        self.succeed("report", "small_one.db", "--study", "folder")
+        anew = self.run_program("run", "folder/study.yaml", "--quiet", "--no-page", "--results", "anew.db")
+        self.assertEqual(anew.returncode, 0, anew.stderr)
 
     def test_how_it_was_played_is_kept(self):
         self.document(1)
