@@ -34,19 +34,21 @@ double pair_of_goals(Chance& chance, double usual, double more) {
   return sum / 2.0;
 }
 
-// Of such a pair; both matches are independent.
-double deviation_of_goals(double usual, double more) {
-  return std::sqrt((usual + more / 2.0 + std::max(usual - more / 2.0, 1e-9)) / 2.0);
-}
-
 struct Law {
   const char* name;
   double usual;  // goals a match of each team; 0: the difference is normal, with a deviation of 1
 };
 
+// As a large pilot of equal teams shows it.
+Spread spread_of(const Law& law) {
+  Chance chance(1);
+  Moments pilot;
+  for (int pair = 0; law.usual > 0.0 && pair < 100000; ++pair) pilot.add(pair_of_goals(chance, law.usual, 0.0));
+  return law.usual > 0.0 ? Spread(pilot) : Spread(1.0);
+}
+
 double share_found(const Law& law, std::int64_t pairs, const PowerDesign& design, int studies, Chance& chance) {
-  const double deviation = law.usual == 0.0 ? 1.0 : deviation_of_goals(law.usual, 0.0);
-  const double difference = *difference_found(pairs, deviation, design);
+  const double difference = *difference_found(pairs, spread_of(law), design);
   std::normal_distribution<double> normal(difference, 1.0);
   const double level = design.alpha / static_cast<double>(design.family);
   std::vector<double> values(static_cast<std::size_t>(pairs));

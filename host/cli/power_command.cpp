@@ -65,13 +65,11 @@ struct Asked {
         throw BadInput(fmt::format("--power: {}; expected a number from 0.5 on and below 1", options.power));
     }
     if (!options.difference.empty()) {
-      const bool elo = in_elo(options);
-      difference = config::typed_number(
-          std::string_view(options.difference).substr(0, options.difference.size() - (elo ? elo_unit.size() : 0)));
+      const std::string_view elo = in_elo(options) ? elo_unit : "";
+      difference = config::typed_number(options.difference.substr(0, options.difference.size() - elo.size()));
       if (!difference || !(*difference > 0.0))
         throw BadInput(fmt::format("--difference: {}; expected a number above 0, or of Elo as in 20elo",
                                    texts::in_quotes(options.difference)));
-      if (elo) difference = 2.0 * statistics::score_of_elo(*difference) - 1.0;
     }
     if (!options.pairs.empty())
       pairs = static_cast<std::int64_t>(config::parse_whole("--pairs", options.pairs, 1, study::most_pairs));
@@ -81,7 +79,8 @@ struct Asked {
   std::optional<std::int64_t> pairs;
 };
 
-void refuse_what_says_nothing(const std::string& file, const study::PairDifferences& study) {
+// can_grow: whether the study can be given more pairs.
+void refuse_what_says_nothing(const std::string& file, const study::PairDifferences& study, bool can_grow) {
   const auto pairs = [](const study::ComparedPairs& each) { return each.differences.count(); };
   const std::int64_t most = std::ranges::max(study.compared, {}, pairs).differences.count();
   const std::string name = texts::in_quotes(study.measure);
@@ -93,8 +92,12 @@ void refuse_what_says_nothing(const std::string& file, const study::PairDifferen
                                texts::plural(static_cast<std::uint64_t>(most), "pair", "pairs"), name));
   }
   if (std::ranges::none_of(study.compared, report::has_spread)) {
-    throw BadInput(fmt::format(
-        "power: {} has no spread in {}: no two pairs differ, so nothing can be computed from them", name, file));
+    const auto even = [](const study::ComparedPairs& each) { return each.differences.uneven() == 0; };
+    throw BadInput(fmt::format("power: {} has no spread in {}: {}{}", name, file,
+                               std::ranges::all_of(study.compared, even)
+                                   ? "all pairs are even; play longer matches"
+                                   : "all pairs have one difference, which few pairs find; compare closer teams",
+                               can_grow ? fmt::format(", or more: regista resume {} --pairs N", file) : ""));
   }
 }
 
@@ -124,7 +127,16 @@ int tell(const std::string& file, const campaign::Store& store, const PowerOptio
   const bool of_goals = measure == study::goals_value || measure == "goal_difference" || measure == "goals_against";
   if (!question.difference && of_goals) question.difference = usual_difference;
   const study::PairDifferences study = study::pair_differences(plan, store, measure);
-  refuse_what_says_nothing(file, study);
+  if (in_elo(options)) {
+    // Of two teams that meet, one loses the points that the other gains. Arms of an experiment meet others.
+    const bool meet = std::is_same_v<Plan, study::TournamentPlan>;
+    const double score = statistics::score_of_elo(*question.difference);
+    question.origin = fmt::format("{} Elo are a score of {:.4g} %, ", *question.difference, 100.0 * score);
+    question.difference = (meet ? 2.0 : 1.0) * (score - 0.5);
+    question.origin += fmt::format("{:.3g} points a match more than {}.", *question.difference,
+                                   meet ? "the other team has" : "an equal arm has");
+  }
+  refuse_what_says_nothing(file, study, !has_test);
   output::print(options.json ? power_json(study, question) : power_text(study, question));
   return exit_done;
 }
@@ -158,19 +170,20 @@ int tell_results(const std::string& named, const PowerOptions& options, const As
     const campaign::Store store = results::read_results(named);
     const std::string plan = results::stored_plan(store), study = study::study_of(plan);
     if (study == study::tuning_study) refuse_tuning(file);
+    const auto told = [&](const auto& played, const std::string& usual, bool has_test, const char* compared,
+                          const char* several) {
+      return tell(file, store, options, asked, played, measure_of(file, options, usual),
+                  document != nullptr ? pairs_of(*document) : pairs_of(played), has_test, compared, several);
+    };
     if (study == study::tournament_study) {
       const study::TournamentPlan played = study::tournament_plan_from_json(plan);
-      return tell(file, store, options, asked, played, measure_of(file, options, study::goals_value),
-                  document != nullptr ? pairs_of(*document) : pairs_of(played), played.asked.test.has_value(),
-                  "Pairing", "pairings");
+      return told(played, study::goals_value, played.asked.test.has_value(), "Pairing", "pairings");
     }
     if (study == study::experiment_study) {
       const study::ExperimentPlan played = study::experiment_plan_from_json(plan);
-      const std::string measure = measure_of(file, options, played.primary());
       if (played.comparisons().empty())
         throw BadInput(fmt::format("power: {} has one arm, which is compared with nothing", file));
-      return tell(file, store, options, asked, played, measure,
-                  document != nullptr ? pairs_of(*document) : pairs_of(played), false, "Comparison", "comparisons");
+      return told(played, played.primary(), false, "Comparison", "comparisons");
     }
     throw BadInput(fmt::format("power: {} is neither a tournament nor an experiment", file));
   } catch (const std::invalid_argument& error) {

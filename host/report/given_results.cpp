@@ -46,21 +46,19 @@ std::string basis(const RankedResults& ranking) {
 constexpr std::size_t most_listed = 20;  // largest number of comparisons that a terminal lists
 
 struct Answer {
-  std::optional<std::int64_t> needed;
-  std::optional<std::array<std::optional<std::int64_t>, 2>> needed_interval;
-  std::optional<double> found;
+  std::array<double, 2> deviation{};                    // interval of the standard deviation
+  std::array<std::optional<std::int64_t>, 3> needed{};  // number of pairs, and its interval
+  std::optional<double> found{};
 };
 
 Answer answer(const study::ComparedPairs& pairs, const PowerQuestion& question) {
-  Answer out;
-  const double deviation = pairs.differences.standard_deviation();
-  if (question.difference) {
-    out.needed = statistics::pairs_needed(*question.difference, deviation, question.design);
-    const statistics::Interval may_be = statistics::deviation_interval(deviation, pairs.differences.count());
-    out.needed_interval = {statistics::pairs_needed(*question.difference, may_be.low, question.design),
-                           statistics::pairs_needed(*question.difference, may_be.high, question.design)};
-  }
-  if (question.pairs) out.found = statistics::difference_found(*question.pairs, deviation, question.design);
+  const statistics::Spread spread(pairs.differences);
+  const auto [low, high] = statistics::spread_interval(spread, pairs.differences.count());
+  Answer out{{low.deviation, high.deviation}};
+  const std::array<statistics::Spread, 3> spreads{spread, low, high};
+  for (std::size_t i = 0; question.difference && i < spreads.size(); ++i)
+    out.needed[i] = statistics::pairs_needed(*question.difference, spreads[i], question.design);
+  if (question.pairs) out.found = statistics::difference_found(*question.pairs, spread, question.design);
   return out;
 }
 
@@ -70,10 +68,6 @@ std::string number(double value) { return fmt::format("{:.3g}", value); }
 std::string mean_text(const statistics::Moments& values) {
   const double mean = values.mean();
   return number(std::abs(mean) < 1e-9 * values.standard_deviation() ? 0.0 : mean);
-}
-
-std::string pairs_text(const std::optional<std::int64_t>& pairs) {
-  return pairs ? std::to_string(*pairs) : fmt::format("above {}", statistics::most_pairs_asked);
 }
 
 std::string test_line(const PowerQuestion& question) {
@@ -250,7 +244,7 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
   Section out("power", "");
   out.line(fmt::format("{}, difference of pairs of matches, {}", study.measure, study.unit));
   out.line(test_line(question));
-  Table table{{{question.what, Column::words}, {"Pairs"}, {"Mean"}, {"Standard deviation"}}};
+  Table table{{{question.what, Column::words}, {"Pairs"}, {"Uneven"}, {"Mean"}, {"Standard deviation"}}};
   if (question.difference) {
     table.headings.push_back({fmt::format("Pairs for {}", number(*question.difference))});
     table.headings.push_back({"95 %"});
@@ -259,13 +253,14 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
   std::optional<std::int64_t> most_needed;
   for (const study::ComparedPairs& each : study.compared) {
     std::vector<Cell> cells{named(each.first) << " – " << named(each.second), each.differences.count(),
-                            mean_text(each.differences), number(each.differences.standard_deviation())};
+                            each.differences.uneven(), mean_text(each.differences),
+                            number(each.differences.standard_deviation())};
     if (has_spread(each)) {
       const Answer answers = answer(each, question);
       if (question.difference) {
-        const auto& [least, most] = *answers.needed_interval;
-        cells.emplace_back(pairs_text(answers.needed));
-        most_needed = std::max(most_needed, std::optional(answers.needed.value_or(statistics::most_pairs_asked)));
+        const auto& [needed, least, most] = answers.needed;
+        cells.emplace_back(pairs_text(needed));
+        most_needed = std::max(most_needed, std::optional(needed.value_or(statistics::most_pairs_asked)));
         cells.emplace_back(pairs_text(least) + " – " + pairs_text(most));
       }
       if (question.pairs) cells.emplace_back(answers.found ? number(*answers.found) : std::string("nothing"));
@@ -281,6 +276,7 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
     out.note(
         fmt::format("{} pairs are enough for each of {} {}.", *most_needed, study.compared.size(), question.several));
   const std::string chance = fmt::format("with a probability of {:.4g} %", 100.0 * question.design.power);
+  if (!question.origin.empty()) out.note(question.origin);
   if (question.difference) {
     out.note(
         fmt::format("So many pairs find a mean difference of {} {} {}. 95 %: what that number may be, as so few "
@@ -292,12 +288,10 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
   if (question.pairs && *question.pairs >= statistics::smallest_pairs(question.design))
     out.note(
         fmt::format("{} pairs find a mean difference of the size in the last column {}.", *question.pairs, chance));
-  constexpr std::int64_t enough = 20;  // from docs/statistics.md
-  const bool mostly_even = std::ranges::any_of(
-      study.compared, [](const study::ComparedPairs& each) { return 2 * each.even > each.differences.count(); });
-  if (question.design.test == statistics::PairedTest::sign_flip && mostly_even && most_needed && *most_needed < enough)
+  if (question.design.test == statistics::PairedTest::sign_flip)
     out.note(
-        fmt::format("Most pairs were even, and a sign-flip test does not count these: play {} pairs or more.", enough));
+        "Sign flips do not count even pairs. As many are taken as uneven as in these pairs, or as the difference "
+        "needs.");
   if (question.sequential)
     out.note("The study's own test is sequential and ends by itself. These numbers are of a fixed number of pairs.");
   return section_text(out);
@@ -309,24 +303,17 @@ std::string power_json(const study::PairDifferences& study, const PowerQuestion&
   for (const study::ComparedPairs& each : study.compared) {
     const bool known = has_spread(each);
     const Answer answers = known ? answer(each, question) : Answer();
-    Json interval(nullptr), needed_interval(nullptr);
-    if (known) {
-      const auto [low, high] =
-          statistics::deviation_interval(each.differences.standard_deviation(), each.differences.count());
-      interval = {low, high};
-    }
-    if (answers.needed_interval)
-      needed_interval = {or_null((*answers.needed_interval)[0]), or_null((*answers.needed_interval)[1])};
+    const Json interval{or_null(answers.needed[1]), or_null(answers.needed[2])};
     compared.push_back({{"first", each.first},
                         {"second", each.second},
                         {"equal_by_construction", each.equal},
                         {"pairs", each.differences.count()},
-                        {"even_pairs", each.even},
+                        {"even_pairs", each.differences.count() - each.differences.uneven()},
                         {"mean", each.differences.mean()},
                         {"standard_deviation", each.differences.standard_deviation()},
-                        {"standard_deviation_interval", interval},
-                        {"pairs_needed", or_null(answers.needed)},
-                        {"pairs_needed_interval", needed_interval},
+                        {"standard_deviation_interval", known ? Json(answers.deviation) : Json()},
+                        {"pairs_needed", or_null(answers.needed[0])},
+                        {"pairs_needed_interval", known && question.difference ? interval : Json()},
                         {"difference_found", json_or_null(answers.found)}});
   }
   const Json out{{"measure", study.measure},

@@ -65,6 +65,7 @@ struct PowerQuestion {
   bool sequential = false;  // true: the study uses a sequential test
   const char* what = "";    // word for a comparison, such as "Pairing"; several: its plural
   const char* several = "";
+  std::string origin{};  // sentence: how `difference` follows from another unit
 };
 
 bool has_spread(const study::ComparedPairs& pairs);  // whether power can be computed: it needs a spread

@@ -82,6 +82,10 @@ std::string all_of(const statistics::ScoreLaw& law) {
 
 std::string pairs_in_words(std::uint64_t count) { return texts::plural(count, "pair", "pairs"); }
 
+std::string pairs_text(const std::optional<std::int64_t>& pairs) {
+  return pairs ? std::to_string(*pairs) : fmt::format("above {}", statistics::most_pairs_asked);
+}
+
 std::string prevented_headline(std::uint64_t pairs) {
   return fmt::format("No verdict: {} could not be played", pairs_in_words(pairs));
 }

@@ -23,6 +23,8 @@
 namespace regista::report {
 
 std::string pairs_in_words(std::uint64_t count);  // "1 pair", "2 pairs"
+// "120"; "above 1000000000" for nothing, as statistics::pairs_needed() returns it.
+std::string pairs_text(const std::optional<std::int64_t>& pairs);
 
 // Returns a headline: "No verdict: 3 pairs could not be played"
 std::string prevented_headline(std::uint64_t pairs);

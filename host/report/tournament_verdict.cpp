@@ -51,17 +51,25 @@ Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
 }
 
 // Returns a sentence: the played pairs can find a difference of `worth_finding`, or a tournament of how many can.
-std::string what_more_would_find(const TournamentView& view, const Meeting& meeting) {
+// beside: gets what that number rests on.
+std::string what_more_would_find(const TournamentView& view, const Meeting& meeting, std::vector<Sentence>& beside) {
   if (const std::string few = too_few_pairs(view.plan); !few.empty()) return few + ".";
   const auto pairs = static_cast<std::uint64_t>(total(meeting.pairs));
-  const double deviation = meeting.goals_of_pairs.standard_deviation();
-  if (!(deviation > 0.0)) return "All pairs ended with the same goal difference.";
-  const auto needed = statistics::pairs_needed(worth_finding, deviation, study::design_of(view.plan));
-  const std::string found = fmt::format("a difference of {} goals a {}", worth_finding, game_word(view.plan));
-  if (needed && static_cast<std::uint64_t>(*needed) > pairs)
-    return fmt::format("A new tournament of about {} would find {} in four of five cases.",
-                       pairs_in_words(static_cast<std::uint64_t>(*needed)), found);
-  return fmt::format("{} find {} in four of five cases.", pairs_in_words(pairs), found);
+  if (!(meeting.goals_of_pairs.standard_deviation() > 0.0)) return "All pairs ended with the same goal difference.";
+  const statistics::Spread spread(meeting.goals_of_pairs);
+  const auto needed = [&](const statistics::Spread& each) {
+    return statistics::pairs_needed(worth_finding, each, study::design_of(view.plan));
+  };
+  const std::string found =
+      fmt::format("find a difference of {} goals a {} in four of five cases.", worth_finding, game_word(view.plan));
+  if (const auto all = needed(spread); !all || static_cast<std::uint64_t>(*all) > pairs) {
+    const auto [low, high] = statistics::spread_interval(spread, meeting.goals_of_pairs.count());
+    beside.push_back(fmt::format("That number rests on these {} ({} uneven); with 95 % confidence it is {} to {}.",
+                                 pairs_in_words(pairs), meeting.goals_of_pairs.uneven(), pairs_text(needed(low)),
+                                 pairs_text(needed(high))));
+    return fmt::format("A new tournament of about {} pairs would {}", pairs_text(all), found);
+  }
+  return pairs_in_words(pairs) + " " + found;
 }
 
 Sentence than(const TournamentView& view, const Meeting& meeting, bool first_is_more, const char* what) {
@@ -146,7 +154,7 @@ TournamentVerdict of_two(const TournamentView& view) {
   if (const int side = decided_for(view.course, values, 0); side != 0) {
     out.sentence = beats(view, meeting, side);
   } else {
-    out.sentence = Sentence("Not decided between ") << both << ". " << what_more_would_find(view, meeting);
+    out.sentence = Sentence("Not decided between ") << both << ". " << what_more_would_find(view, meeting, out.beside);
     const Strength known = *strength(view.course, meeting);
     // With few pairs, Student's interval may exclude 0 although the sign-flip test, which decides, finds nothing.
     if (known.goals_t && known.goals_t->interval.contains(0.0)) {
@@ -268,6 +276,9 @@ TournamentVerdict tournament_verdict(const TournamentView& view) {
                          << fmt::format(" was set aside after pair {}: {} failed {} times in a row.", each.pair + 1,
                                         whose, each.failures));
   }
+  const auto goalless = [](const Meeting& each) { return each.goals[0] + each.goals[1] == 0; };
+  if (view.plan.short_games() && view.course.matches() > 0 && std::ranges::all_of(view.course.meetings(), goalless))
+    out.beside.push_back(fmt::format("No {} had a goal: they are too short. Play longer ones.", game_word(view.plan)));
   if (!view.plan.pairs_before.empty()) {
     out.sentence << " Pairs were added after a look.";
     out.beside.push_back(more_pairs_sentence(view.plan.pairs_before));

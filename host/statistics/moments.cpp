@@ -77,6 +77,12 @@ double binomial_share_at_least(std::int64_t successes, std::int64_t trials, doub
   return Binomial::find_lower_bound_on_p(static_cast<double>(trials), static_cast<double>(successes), tail);
 }
 
+double binomial_at_least(std::int64_t successes, std::int64_t trials, double rate) {
+  if (successes <= 0 || successes > trials) return successes <= 0 ? 1.0 : 0.0;
+  const Binomial law(static_cast<double>(trials), rate);
+  return boost::math::cdf(boost::math::complement(law, static_cast<double>(successes - 1)));
+}
+
 std::optional<TwoWayAnalysis> two_way_analysis(std::span<const std::vector<double>> values) {
   const std::size_t rows = values.size();
   if (rows < 2) return std::nullopt;

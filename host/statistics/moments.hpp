@@ -2,6 +2,7 @@
 // Estimates with intervals, the mean, variance and quantiles of values, and analyses of variance. Values have any unit.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -43,20 +44,24 @@ class Moments {
 
   void add(double value) {
     ++count_;
+    uneven_ += value != 0.0 ? 1 : 0;
+    if (value != 0.0) least_ = std::min(least_, std::abs(value));
     const double before = value - mean_;
     mean_ += before / static_cast<double>(count_);
     squares_ += before * (value - mean_);
   }
 
   std::int64_t count() const { return count_; }
-  double mean() const { return mean_; }  // 0 without values
+  std::int64_t uneven() const { return uneven_; }  // number of values other than 0
+  double least() const { return least_; }          // smallest size of these values; infinite without any
+  double mean() const { return mean_; }            // 0 without values
   // Sample variance with divisor count - 1. Returns 0 for fewer than two values, although their variance is unknown.
   double variance() const { return count_ < 2 ? 0.0 : squares_ / static_cast<double>(count_ - 1); }
   double standard_deviation() const { return std::sqrt(variance()); }
 
  private:
-  std::int64_t count_ = 0;
-  double mean_ = 0.0, squares_ = 0.0;
+  std::int64_t count_ = 0, uneven_ = 0;
+  double mean_ = 0.0, squares_ = 0.0, least_ = infinite;
 };
 
 // Returns the quantile of type 7 of R. J. Hyndman and Y. Fan, "Sample Quantiles in Statistical Packages", The American
@@ -83,6 +88,9 @@ double fisher_f_above(double f, double degrees, double residual_degrees);
 // Returns the lower bound of Clopper and Pearson for a rate of success: at this rate, `successes` or more of `trials`
 // have the probability `tail`. Returns 0 for 0 successes.
 double binomial_share_at_least(std::int64_t successes, std::int64_t trials, double tail);
+
+// Returns the probability of `successes` or more of `trials` with a rate in [0, 1].
+double binomial_at_least(std::int64_t successes, std::int64_t trials, double rate);
 
 // --- Two-way analysis of variance without interaction tests whether treatments differ. Every treatment is tried in the
 // same blocks. R. A. Fisher, "Statistical Methods for Research Workers", 1925, chapter 8.

@@ -101,6 +101,33 @@ double reached_level(std::int64_t pairs, const PowerDesign& design) {
   return std::floor(level / step) * step;
 }
 
+// Returns the power of so many pairs by Student's t; mean: 0 or more.
+double power_of_t(std::int64_t pairs, double mean, double standard_deviation, const PowerDesign& design) {
+  const double level = reached_level(pairs, design);
+  if (pairs < 2 || level <= 0.0) return 0.0;
+  const auto n = static_cast<double>(pairs);
+  const double degrees = n - 1.0, noncentrality = mean / standard_deviation * std::sqrt(n);
+  const double least = student_t_quantile(1.0 - level / 2.0, degrees);
+  return noncentral_t_above(least, degrees, noncentrality) + noncentral_t_above(least, degrees, -noncentrality);
+}
+
+// Returns the power of a sign test of so many uneven pairs, each of which has one sign with this probability. mixed:
+// sign flips of differences of many sizes reach their level, as a sign test does that decides its border by chance.
+double power_of_signs(std::int64_t pairs, double probability, bool mixed, const PowerDesign& design) {
+  const double level = reached_level(mixed ? pairs : most_with_steps + 1, design) / 2.0;
+  std::int64_t below = pairs / 2, least = pairs;  // `least` equal signs reject, `below` do not
+  while (least - below > 1) {
+    const std::int64_t middle = below + (least - below) / 2;
+    (binomial_at_least(middle, pairs, 0.5) <= level ? least : below) = middle;
+  }
+  const double equal = binomial_at_least(least, pairs, 0.5), next = binomial_at_least(least - 1, pairs, 0.5);
+  const double border = mixed ? (level - equal) / (next - equal) : 0.0;
+  const auto with = [&](double each) {
+    return std::lerp(binomial_at_least(least, pairs, each), binomial_at_least(least - 1, pairs, each), border);
+  };
+  return with(probability) + with(1.0 - probability);
+}
+
 [[maybe_unused]] bool is_sound(const PowerDesign& design) {
   return design.alpha > 0.0 && design.alpha < 1.0 && design.family >= 1 && design.power > design.alpha &&
          design.power < 1.0;
@@ -211,21 +238,31 @@ std::int64_t smallest_pairs(const PowerDesign& design) {
   return pairs;
 }
 
-double power_of(std::int64_t pairs, double difference, double standard_deviation, const PowerDesign& design) {
-  assert(is_sound(design) && standard_deviation > 0.0);
-  const double level = reached_level(pairs, design);
-  if (pairs < 2 || level <= 0.0) return 0.0;
-  const auto n = static_cast<double>(pairs);
-  const double degrees = n - 1.0, noncentrality = std::abs(difference) / standard_deviation * std::sqrt(n);
-  const double least = student_t_quantile(1.0 - level / 2.0, degrees);
-  return noncentral_t_above(least, degrees, noncentrality) + noncentral_t_above(least, degrees, -noncentrality);
+double power_of(std::int64_t pairs, double difference, const Spread& spread, const PowerDesign& design) {
+  assert(is_sound(design) && spread.deviation > 0.0);
+  const double mean = std::abs(difference);
+  double square = spread.deviation * spread.deviation + mean * mean;
+  // A pilot with few uneven pairs shows too small a spread for a large difference: uneven pairs differ by `least`.
+  if (spread.uneven < 0.5) square = std::max(square, spread.least * mean);
+  const double share = std::min(1.0, std::max(spread.uneven, mean * mean / square));
+  const double sizes = square / share / (spread.least * spread.least);
+  const bool mixed = !(sizes > 0.7 && sizes < 1.3);
+  if (design.test == PairedTest::student_t || (spread.uneven > 0.75 && sizes > 4.0))
+    return power_of_t(pairs, mean, spread.deviation, design);
+  const double probability = std::min(1.0, (1.0 + mean / std::sqrt(square * share)) / 2.0);
+  const double middle = share * static_cast<double>(pairs), reach = 6.0 * std::sqrt(middle * (1.0 - share)) + 1.0;
+  const auto step = 1 + static_cast<std::int64_t>(reach / 30.0), most = static_cast<std::int64_t>(middle + reach);
+  double out = 0.0;
+  for (auto uneven = std::max(smallest_pairs(design), static_cast<std::int64_t>(middle - reach));
+       uneven <= std::min(pairs, most); uneven += step)
+    out += (binomial_at_least(uneven, pairs, share) - binomial_at_least(uneven + step, pairs, share)) *
+           power_of_signs(std::min(pairs, uneven + (step - 1) / 2), probability, mixed, design);
+  return out;
 }
 
-std::optional<std::int64_t> pairs_needed(double difference, double standard_deviation, const PowerDesign& design) {
+std::optional<std::int64_t> pairs_needed(double difference, const Spread& spread, const PowerDesign& design) {
   assert(difference != 0.0);
-  const auto enough = [&](std::int64_t pairs) {
-    return power_of(pairs, difference, standard_deviation, design) >= design.power;
-  };
+  const auto enough = [&](std::int64_t pairs) { return power_of(pairs, difference, spread, design) >= design.power; };
   const std::int64_t fewest = smallest_pairs(design);
   if (enough(fewest)) return fewest;
   // Power grows with the number of pairs: `below` pairs are too few, and `above` pairs are enough.
@@ -242,31 +279,33 @@ std::optional<std::int64_t> pairs_needed(double difference, double standard_devi
   return above;
 }
 
-std::optional<double> difference_found(std::int64_t pairs, double standard_deviation, const PowerDesign& design) {
+std::optional<double> difference_found(std::int64_t pairs, const Spread& spread, const PowerDesign& design) {
   if (pairs < smallest_pairs(design)) return std::nullopt;
-  const auto enough = [&](double difference) {
-    return power_of(pairs, difference, standard_deviation, design) >= design.power;
-  };
-  double below = 0.0, above = standard_deviation;
+  const auto enough = [&](double difference) { return power_of(pairs, difference, spread, design) >= design.power; };
+  double below = 0.0, above = spread.deviation;
   while (!enough(above)) {
     below = above;
     above *= 2.0;
   }
   constexpr double precision = 1e-9;  // of the difference, relative to the standard deviation
-  while (above - below > precision * standard_deviation) {
+  while (above - below > precision * spread.deviation) {
     const double middle = (below + above) / 2.0;
     (enough(middle) ? above : below) = middle;
   }
   return above;
 }
 
-Interval deviation_interval(double standard_deviation, std::int64_t values) {
+std::array<Spread, 2> spread_interval(const Spread& spread, std::int64_t values) {
   assert(values >= 2);
   const auto degrees = static_cast<double>(values - 1);
-  const auto bound = [&](double probability) {
-    return standard_deviation * std::sqrt(degrees / chi_squared_quantile(probability, degrees));
-  };
-  return {bound(0.975), bound(0.025)};
+  const std::int64_t even = std::llround((1.0 - spread.uneven) * static_cast<double>(values));
+  double low = degrees / chi_squared_quantile(0.975, degrees), high = degrees / chi_squared_quantile(0.025, degrees);
+  if (even > 0) {
+    low = std::min(low, binomial_share_at_least(values - even, values, 0.025) / spread.uneven);
+    high = std::max(high, (1.0 - binomial_share_at_least(even, values, 0.025)) / spread.uneven);
+  }
+  return {Spread(spread.deviation * std::sqrt(low), spread.uneven, spread.least),
+          Spread(spread.deviation * std::sqrt(high), spread.uneven, spread.least)};
 }
 
 std::vector<double> holm(std::span<const double> p) {

@@ -5,6 +5,7 @@
 // comparisons.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -54,6 +55,10 @@ bool sign_flip_of_values_is_exact(std::span<const double> values);
 //
 // The p values of a sign-flip test of N uneven pairs are multiples of 2/2^N. Its power is the power of Student's t at
 // the largest multiple within the level. At level 0.05, six pairs reach 2/64; five pairs can find nothing.
+//
+// Even pairs do not count in sign flips; their number is binomial. With many of them, or differences of few sizes,
+// the power is that of a sign test with the same mean square of differences. By Cauchy and Schwarz a mean difference
+// needs a share of uneven pairs of mean^2 / mean square.
 
 enum class PairedTest { sign_flip, student_t };
 
@@ -68,22 +73,32 @@ struct PowerDesign {
 // and in a family of three tests 7.
 std::int64_t smallest_pairs(const PowerDesign& design);
 
-// Differences are means of pairs. Standard deviations refer to the difference of one pair, in the same unit, above 0.
+// How the difference of a pair spreads. Differences are means of pairs.
+struct Spread {
+  Spread(double of_pairs, double share = 1.0, double size = 0.0) : deviation(of_pairs), uneven(share), least(size) {}
+  explicit Spread(const Moments& of)  // two or more values, not all equal
+      : Spread(of.standard_deviation(), static_cast<double>(of.uneven()) / static_cast<double>(of.count()),
+               of.least()) {}
+
+  double deviation;      // standard deviation, in the unit of the differences, above 0
+  double uneven, least;  // share of differences other than 0, in (0, 1], and their smallest size (0: any)
+};
 
 // Returns the probability of finding a difference with this number of pairs; 0 if the test cannot find anything.
-double power_of(std::int64_t pairs, double difference, double standard_deviation, const PowerDesign& design);
+double power_of(std::int64_t pairs, double difference, const Spread& spread, const PowerDesign& design);
 
 inline constexpr std::int64_t most_pairs_asked = 1'000'000'000;
 
 // Returns the number of pairs that finds `difference` (not 0, any sign); nothing if it exceeds most_pairs_asked.
-std::optional<std::int64_t> pairs_needed(double difference, double standard_deviation, const PowerDesign& design);
+std::optional<std::int64_t> pairs_needed(double difference, const Spread& spread, const PowerDesign& design);
 
 // Returns the smallest difference that the test finds with this power. Returns nothing if no difference can be found.
-std::optional<double> difference_found(std::int64_t pairs, double standard_deviation, const PowerDesign& design);
+std::optional<double> difference_found(std::int64_t pairs, const Spread& spread, const PowerDesign& design);
 
-// Returns the 95 % confidence interval of a standard deviation that was estimated from `values` values, 2 or more. The
-// interval assumes normal values (chi squared distribution). Ten values give 0.69 to 1.83 times the estimate.
-Interval deviation_interval(double standard_deviation, std::int64_t values);
+// Returns the ends of the 95 % confidence interval of a deviation that was estimated from `values` values, 2 or more:
+// the wider of the interval of normal values (chi squared; ten values give 0.69 to 1.83 times the estimate) and that of
+// the share of uneven pairs (Clopper and Pearson), with which the variance goes.
+std::array<Spread, 2> spread_interval(const Spread& spread, std::int64_t values);
 
 // Adjusts the p-values of several comparisons, in [0, 1] in any order. Order and ties stay the same. A caller may
 // compare each adjusted p-value with the level as if there were no other comparison. Then the level bounds the

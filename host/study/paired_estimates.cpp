@@ -89,7 +89,7 @@ void learn_names(const campaign::MatchResult& decided, std::vector<std::string>&
 }
 
 std::string unit_of_a_match(const std::string& measure) {
-  if (measure == goals_value) return "goals a match";
+  if (measure == goals_value || measure == "points") return measure + " a match";
   const match::MetricRow* const row = match::find_metric(match::metric_table(), measure);
   return row == nullptr || row->unit.empty() ? "a match" : std::string(row->unit) + " a match";
 }
@@ -199,8 +199,7 @@ double p_either_way(const Contrast& contrast, PairTest test) {
 PairDifferences pair_differences(const TournamentPlan& plan, const campaign::Store& store, const std::string& measure) {
   PairDifferences out{measure, unit_of_a_match(measure), {}, {}};
   for (const Pairing& each : plan.pairings())
-    out.compared.push_back(
-        {plan.teams[each.first].label, plan.teams[each.second].label, equal_teams(plan, each), {}, 0});
+    out.compared.push_back({plan.teams[each.first].label, plan.teams[each.second].label, equal_teams(plan, each), {}});
   Tournament course(plan);
   std::optional<double> at_home;
   read_back(course, store, campaign::Metrics::wanted,
@@ -212,7 +211,7 @@ PairDifferences pair_differences(const TournamentPlan& plan, const campaign::Sto
               if (!fixture.swapped) {
                 at_home = difference;
               } else if (at_home && difference) {
-                out.compared[fixture.pairing].add((*at_home + *difference) / 2.0);
+                out.compared[fixture.pairing].differences.add((*at_home + *difference) / 2.0);
               }
             });
   return out;
@@ -234,7 +233,7 @@ PairDifferences pair_differences(const ExperimentPlan& plan, const campaign::Sto
     compared.equal = equal_conditions(plan, each);
     for (const double difference :
          known_of(paired_differences(course.values(each.first, 0), course.values(each.second, 0))))
-      compared.add(difference);
+      compared.differences.add(difference);
   }
   return out;
 }

@@ -98,12 +98,6 @@ struct ComparedPairs {
   std::string first, second;
   bool equal = false;               // `first` and `second` have the same inputs, byte by byte
   statistics::Moments differences;  // first minus second, for each pair that has a value
-  std::int64_t even = 0;            // number of these pairs whose difference is 0
-
-  void add(double difference) {
-    differences.add(difference);
-    even += difference == 0.0 ? 1 : 0;
-  }
 };
 
 struct PairDifferences {

@@ -2,6 +2,7 @@
 """`regista power`: how many pairs a study needs, from stored pairs or from a pilot."""
 
 import json
+import math
 import statistics
 
 import experiment
@@ -24,12 +25,16 @@ class PowerOfTournaments(tournament.Tournament):
         self.assertEqual(pairing["pairs"], 24)
         self.assertAlmostEqual(pairing["mean"], statistics.mean(goals), 9)
         self.assertAlmostEqual(pairing["standard_deviation"], statistics.stdev(goals), 9)
-        # The normal law is a little too hopeful.
-        normal = ((1.959964 + 0.841621) * statistics.stdev(goals) / 0.2) ** 2
+        # Most pairs are even, and the others differ by half a goal. A mean of 0.2 needs two uneven pairs of five at least, all for
+        # one side, and six of them: by the binomial law.
+        self.assertEqual((pairing["even_pairs"], set(map(abs, goals))), (goals.count(0), {0.0, 0.5}))
+        self.assertLess(statistics.stdev(goals) ** 2 + 0.2 ** 2, 0.5 * 0.2)
+        needed = next(n for n in range(6, 99) if sum(math.comb(n, k) * 0.4 ** k * 0.6 ** (n - k) for k in range(6, n + 1)) >= 0.8)
         fine = json.loads(self.succeed("power", "tournament.db", "--json", "--difference", 0.2, "--pairs", 100))
-        self.assertAlmostEqual(fine["comparisons"][0]["pairs_needed"], normal + 2, delta=2)
+        self.assertEqual(fine["comparisons"][0]["pairs_needed"], needed)
         least, most = fine["comparisons"][0]["pairs_needed_interval"]
-        self.assertTrue(least < fine["comparisons"][0]["pairs_needed"] < most)
+        self.assertTrue(least <= needed < most)
+        # Of many pairs the normal law is a little too hopeful.
         self.assertAlmostEqual(fine["comparisons"][0]["difference_found"], 0.2801585 * statistics.stdev(goals), delta=0.01)
         text = self.succeed("power", "tournament.db")
         self.assertIn("small - other", text)
@@ -75,7 +80,15 @@ class PowerOfTournaments(tournament.Tournament):
         self.assertIn('one.db holds 1 pair with a value of "goals"; a standard deviation needs two or more',
                       self.refused("power", "one.db"))
         self.play("--results", "equal.db", teams=("small.yaml", "small.yaml"))
-        self.assertIn('"goals" has no spread in equal.db', self.refused("power", "equal.db"))
+        self.assertEqual(self.refused("power", "equal.db"),
+                         'power: "goals" has no spread in equal.db: all pairs are even; play longer matches, or more: '
+                         'regista resume equal.db --pairs N')
+
+    def test_elo_is_a_difference_of_points(self):
+        self.play(pairs=8)
+        text = self.succeed("power", "tournament.db", "--difference", "20elo")
+        self.assertIn("20 Elo are a score of 52.88 %, 0.0575 points a match more than the other team has.", text)
+        self.assertIn("points, difference of pairs of matches, points a match", text)
 
 
 class PowerOfExperiments(experiment.Experiment):

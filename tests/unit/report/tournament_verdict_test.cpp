@@ -5,6 +5,7 @@
 
 #include "course.hpp"
 #include "report/standing.hpp"
+#include "statistics/paired_tests.hpp"
 
 namespace regista::report {
 namespace {
@@ -31,13 +32,41 @@ TEST(TournamentVerdict, OfAFixedNumberOfPairs) {
   Course other({"new", "old"}, 290);
   other.take_pairs({{75, 64, 63, 54, 34}});
   EXPECT_EQ(sentence(other), "old beats new by 0.159 goals a match (95 % interval 0.081 to 0.236).");
-  Course open({"new", "old"}, 20);
-  open.take_pairs({{4, 4, 4, 4, 4}});
-  // By tables of the power of t: a difference of 0.69 deviations needs 19 pairs.
+  Course open({"new", "old"}, 25);
+  open.take_pairs({{5, 5, 5, 5, 5}});
+  // By tables of the power of t: a difference of 0.69 deviations needs 19 pairs. Five even pairs make it a few more.
   EXPECT_EQ(sentence(open),
-            "Not decided between new and old. 20 pairs find a difference of 0.5 goals a match in four of "
+            "Not decided between new and old. 25 pairs find a difference of 0.5 goals a match in four of "
             "five cases.");
-  EXPECT_THAT(beside(open), HasSubstr("new scores between -0.34 and 0.34 goals a match more than old."));
+  EXPECT_THAT(beside(open), HasSubstr("new scores between -0.30 and 0.30 goals a match more than old."));
+}
+
+// A difference of half a goal needs 3 of 4 pairs to be uneven here, all for one side; nine pairs have six of them with
+// a probability of 0.834, eight with 0.678 (binomial).
+TEST(TournamentVerdict, SaysWhatTheSizeOfANewTournamentRestsOn) {
+  Course open({"new", "old"}, 7);
+  open.take_pairs({{0, 1, 5, 1, 0}});
+  EXPECT_EQ(sentence(open),
+            "Not decided between new and old. A new tournament of about 9 pairs would find a difference of 0.5 goals a "
+            "match in four of five cases.");
+  const study::Meeting& meeting = open.tournament->meetings().front();
+  const auto [low, high] = statistics::spread_interval(statistics::Spread(meeting.goals_of_pairs), 7);
+  const statistics::PowerDesign design;
+  EXPECT_THAT(beside(open), HasSubstr("That number rests on these 7 pairs (2 uneven); with 95 % confidence it is " +
+                                      std::to_string(*statistics::pairs_needed(0.5, low, design)) + " to " +
+                                      std::to_string(*statistics::pairs_needed(0.5, high, design)) + ".\n"));
+}
+
+TEST(TournamentVerdict, SaysThatMatchesAreTooShortForGoals) {
+  Course course({"new", "old"}, 6);
+  course.plan.asked.settings.limit = 60.0;
+  course.tournament.emplace(course.plan);
+  for (int match_ = 0; match_ < 12; ++match_) course.take(match(0, 0));
+  EXPECT_EQ(sentence(course), "Not decided between new and old. All pairs ended with the same goal difference.");
+  EXPECT_THAT(beside(course), HasSubstr("No match had a goal: they are too short. Play longer ones.\n"));
+  Course whole({"new", "old"}, 6);
+  for (int match_ = 0; match_ < 12; ++match_) whole.take(match(0, 0));
+  EXPECT_THAT(beside(whole), Not(HasSubstr("too short")));
 }
 
 // The headline agrees with the one test that decides, and an interval beside it is never of fewer than six pairs.

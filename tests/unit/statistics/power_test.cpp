@@ -126,8 +126,8 @@ TEST(Power, IsThatOfSignFlipsPlayedOut) {
   }
 }
 
-// Pairs of scenes: three of four are even, goals come in halves. Those that the law of t says are enough find such a
-// mean about as often as they should.
+// Pairs of scenes: three of four are even, goals come in halves. As many as are said to be enough find such a mean
+// about as often as they should.
 TEST(Power, HoldsForEvenPairsAndHalfGoals) {
   const std::vector<double> values{-0.5, 0.0, 0.5, 1.0}, chances{0.05, 0.75, 0.15, 0.05};
   double mean = 0.0, square = 0.0;
@@ -136,7 +136,7 @@ TEST(Power, HoldsForEvenPairsAndHalfGoals) {
     square += chances[i] * values[i] * values[i];
   }
   const PowerDesign design;
-  const std::int64_t pairs = *pairs_needed(mean, std::sqrt(square - mean * mean), design);
+  const std::int64_t pairs = *pairs_needed(mean, {std::sqrt(square - mean * mean), 0.25, 0.5}, design);
   std::mt19937_64 chance(1);
   std::discrete_distribution<std::size_t> law(chances.begin(), chances.end());
   constexpr int studies = 4000;
@@ -151,9 +151,65 @@ TEST(Power, HoldsForEvenPairsAndHalfGoals) {
 
 // R: sqrt(9 / qchisq(c(0.975, 0.025), 9)) is 0.6878 and 1.8256.
 TEST(Power, TenPairsKnowTheSpreadRoughly) {
-  const Interval of_ten = deviation_interval(2.0, 10);
-  EXPECT_NEAR(of_ten.low, 2.0 * 0.6878, 2e-4);
-  EXPECT_NEAR(of_ten.high, 2.0 * 1.8256, 2e-4);
+  const auto [low, high] = spread_interval(2.0, 10);
+  EXPECT_NEAR(low.deviation, 2.0 * 0.6878, 2e-4);
+  EXPECT_NEAR(high.deviation, 2.0 * 1.8256, 2e-4);
+}
+
+// R: binom.test(1, 40)$conf.int is 0.000633 to 0.1316; the chi squared law alone would give 0.82 to 1.28 times.
+TEST(Power, OneUnevenPairKnowsTheSpreadHardly) {
+  const auto [low, high] = spread_interval({1.0, 0.025, 0.5}, 40);
+  EXPECT_NEAR(low.deviation, std::sqrt(0.000633 / 0.025), 2e-4);
+  EXPECT_NEAR(high.deviation, std::sqrt(0.1316 / 0.025), 2e-3);
+}
+
+// How often the program's own test finds a difference in studies of so many pairs. A share of the pairs is uneven; of
+// these, every fourth differs by `larger`, the others by 0.5, and (1 + lead) / 2 are in favour of one side.
+double found_with_even_pairs(std::int64_t pairs, double uneven, double larger, double lead) {
+  constexpr int studies = 4000;
+  std::mt19937_64 chance(1);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  int found = 0;
+  for (int study = 0; study < studies; ++study) {
+    WholeCounts seen;
+    for (std::int64_t pair = 0; pair < pairs; ++pair) {
+      if (share(chance) >= uneven) continue;
+      const double size = share(chance) < 0.25 ? larger : 0.5;
+      ++seen[std::lround((share(chance) < (1.0 + lead) / 2.0 ? 2.0 : -2.0) * size)];
+    }
+    found += sign_flip_p(seen) <= 0.05 ? 1 : 0;
+  }
+  return static_cast<double>(found) / studies;
+}
+
+// The number of pairs gives about the power that was asked for, whatever share of them is even.
+TEST(Power, CountsThatEvenPairsDecideNothing) {
+  for (const double even : {0.1, 0.5, 0.9}) {
+    for (const double larger : {0.5, 1.0, 1.5}) {
+      for (const double lead : {0.3, 0.5, 0.8}) {
+        const double uneven = 1.0 - even, mean = uneven * lead * (0.75 * 0.5 + 0.25 * larger);
+        const double square = uneven * (0.75 * 0.25 + 0.25 * larger * larger);
+        const PowerDesign design;
+        const std::int64_t pairs = *pairs_needed(mean, {std::sqrt(square - mean * mean), uneven, 0.5}, design);
+        EXPECT_NEAR(found_with_even_pairs(pairs, uneven, larger, lead), 0.8, 0.05)
+            << pairs << " pairs, even " << even << ", " << larger << ", " << lead;
+      }
+    }
+  }
+}
+
+// 20 Elo, a difference of 0.0575 points a match, after one uneven pair of 40: its spread alone would let 17 pairs find
+// that. Where all uneven pairs go one way, 0.0575 / 0.5 of the pairs are uneven, and six of them have to be seen.
+TEST(Power, IsNotFooledByAPilotOfEvenPairs) {
+  Moments pilot;
+  for (int pair = 0; pair < 40; ++pair) pilot.add(pair == 7 ? 0.5 : 0.0);
+  const PowerDesign design;
+  EXPECT_EQ(pairs_needed(0.0575, pilot.standard_deviation(), design), 17);
+  const std::int64_t pairs = *pairs_needed(0.0575, Spread(pilot), design);
+  EXPECT_NEAR(found_with_even_pairs(pairs, 0.115, 0.5, 1.0), 0.8, 0.02) << pairs;
+  EXPECT_LT(found_with_even_pairs(17, 0.115, 0.5, 1.0), 0.02);
+  EXPECT_GT(*difference_found(pairs, Spread(pilot), design), 0.0560);
+  EXPECT_LE(*difference_found(pairs, Spread(pilot), design), 0.0575);
 }
 
 }  // namespace
