@@ -97,7 +97,7 @@ void refuse_what_says_nothing(const std::string& file, const study::PairDifferen
                                std::ranges::all_of(study.compared, even)
                                    ? "all pairs are even; play longer matches"
                                    : "all pairs have one difference, which few pairs find; compare closer teams",
-                               can_grow ? fmt::format(", or more: regista resume {} --pairs N", file) : ""));
+                               can_grow ? fmt::format("; or play more pairs: regista resume {} --pairs N", file) : ""));
   }
 }
 
@@ -134,7 +134,7 @@ int tell(const std::string& file, const campaign::Store& store, const PowerOptio
     question.origin = fmt::format("{} Elo are a score of {:.4g} %, ", *question.difference, 100.0 * score);
     question.difference = (meet ? 2.0 : 1.0) * (score - 0.5);
     question.origin += fmt::format("{:.3g} points a match more than {}.", *question.difference,
-                                   meet ? "the other team has" : "an equal arm has");
+                                   meet ? "the other team has" : "an arm that scores half of the points");
   }
   refuse_what_says_nothing(file, study, !has_test);
   output::print(options.json ? power_json(study, question) : power_text(study, question));
@@ -243,7 +243,7 @@ int power(const PowerOptions& options, const Command& command, const Invocation&
         "power --help");
   }
   if (options.file.empty() || !output::is_database(options.file))
-    return play_pilot(options, output::OutputFiles(command.given(), "pilot"), asked, invocation);
+    return play_pilot(options, command.outputs("pilot"), asked, invocation);
   for (const output::GivenOption& each : command.given()) {
     constexpr std::array of_results{
         "results file or document", "--metric", "--difference", "--power", "--pairs", "--json"};

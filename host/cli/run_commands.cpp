@@ -250,7 +250,7 @@ int tell_status(const FolderOptions& options) {
                                       {"title", progress.title},
                                       {"state", name_of(progress.state)},
                                       {"message", progress.message},
-                                      {"matches", progress.matches},
+                                      {"matches", progress.matches > 0 ? Json(progress.matches) : Json(nullptr)},
                                       {"gathered", progress.rows},
                                       {"in_parts", status.in_parts},
                                       {"failed_in_parts", status.failed_in_parts},

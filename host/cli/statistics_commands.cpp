@@ -39,9 +39,7 @@ applies. After a sequential test has stopped, elo and nelo are biased towards th
 
 Examples:
   regista sprt --elo 0,10 34 54 63 64 75
-  regista sprt --model logistic --elo=-5,0 --alpha 0.01 --beta 0.1 96 111 136 --json
-
-Exit codes: 0 done, whatever the verdict; 1 the result could not be written; 2 bad input; 3 a defect of Regista.)";
+  regista sprt --model logistic --elo=-5,0 --alpha 0.01 --beta 0.1 96 111 136 --json)";
 
 struct SprtOptions {
   std::string model = "normalized", elo, alpha = "0.05", beta = "0.05";
@@ -125,9 +123,7 @@ or of games where there are no pairs. In JSON, null is what the results do not d
 
 Examples:
   regista rank results.csv
-  regista rank results.csv --json
-
-Exit codes: 0 done; 1 the result could not be written; 2 bad input; 3 a defect of Regista.)";
+  regista rank results.csv --json)";
 
 // --- `regista metrics`: the numbers that matches have.
 
@@ -217,7 +213,7 @@ void add_sprt(Command& parent, const Invocation& /*invocation*/) {
   command.take("--alpha", options->alpha, "RATE", "rate of accepting H1 in error; default 0.05");
   command.take("--beta", options->beta, "RATE", "rate of accepting H0 in error; default 0.05");
   command.flag("--json", options->json, "write the result as JSON");
-  command.notes(sprt_notes);
+  command.notes(sprt_notes, "0 done, whatever the verdict; 1 the result could not be written");
   command.run = [options] {
     const report::SequentialTestOfCounts test = evaluate(*options);
     output::print(options->json ? report::counts_json(test) : report::counts_text(test));
@@ -230,7 +226,7 @@ void add_rank(Command& parent, const Invocation& /*invocation*/) {
   const auto options = std::make_shared<PlainOptions>();
   command.take("results", options->words, "RESULTS", "the results", Reads::data);
   command.flag("--json", options->json, "write the result as JSON");
-  command.notes(rank_notes);
+  command.notes(rank_notes, "0 done; 1 the result could not be written");
   command.run = [options] {
     const std::string& file =
         the_only(options->words, "rank: expected one file of results", "; see: regista rank --help");

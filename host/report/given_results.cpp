@@ -290,8 +290,8 @@ std::string power_text(const study::PairDifferences& study, const PowerQuestion&
         fmt::format("{} pairs find a mean difference of the size in the last column {}.", *question.pairs, chance));
   if (question.design.test == statistics::PairedTest::sign_flip)
     out.note(
-        "Sign flips do not count even pairs. As many are taken as uneven as in these pairs, or as the difference "
-        "needs.");
+        "Sign flips do not count even pairs. The numbers assume the share of uneven pairs that these results have, or "
+        "the share that the difference needs.");
   if (question.sequential)
     out.note("The study's own test is sequential and ends by itself. These numbers are of a fixed number of pairs.");
   return section_text(out);

@@ -62,9 +62,11 @@ std::string what_more_would_find(const TournamentView& view, const Meeting& meet
   };
   const std::string found =
       fmt::format("find a difference of {} goals a {} in four of five cases.", worth_finding, game_word(view.plan));
-  if (const auto all = needed(spread); !all || static_cast<std::uint64_t>(*all) > pairs) {
+  const auto all = needed(spread);
+  if (!all) return fmt::format("No tournament of up to {} pairs would {}", statistics::most_pairs_asked, found);
+  if (static_cast<std::uint64_t>(*all) > pairs) {
     const auto [low, high] = statistics::spread_interval(spread, meeting.goals_of_pairs.count());
-    beside.push_back(fmt::format("That number rests on these {} ({} uneven); with 95 % confidence it is {} to {}.",
+    beside.push_back(fmt::format("That number rests on these {} ({} uneven); with 95 % confidence it is about {} to {}.",
                                  pairs_in_words(pairs), meeting.goals_of_pairs.uneven(), pairs_text(needed(low)),
                                  pairs_text(needed(high))));
     return fmt::format("A new tournament of about {} pairs would {}", pairs_text(all), found);
@@ -277,8 +279,8 @@ TournamentVerdict tournament_verdict(const TournamentView& view) {
                                         whose, each.failures));
   }
   const auto goalless = [](const Meeting& each) { return each.goals[0] + each.goals[1] == 0; };
-  if (view.plan.short_games() && view.course.matches() > 0 && std::ranges::all_of(view.course.meetings(), goalless))
-    out.beside.push_back(fmt::format("No {} had a goal: they are too short. Play longer ones.", game_word(view.plan)));
+  if (view.plan.short_games() && view.course.complete() && std::ranges::all_of(view.course.meetings(), goalless))
+    out.beside.push_back(fmt::format("No {} had a goal. Play longer ones, or whole matches.", game_word(view.plan)));
   if (!view.plan.pairs_before.empty()) {
     out.sentence << " Pairs were added after a look.";
     out.beside.push_back(more_pairs_sentence(view.plan.pairs_before));

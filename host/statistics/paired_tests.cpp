@@ -242,11 +242,11 @@ double power_of(std::int64_t pairs, double difference, const Spread& spread, con
   assert(is_sound(design) && spread.deviation > 0.0);
   const double mean = std::abs(difference);
   double square = spread.deviation * spread.deviation + mean * mean;
-  // A pilot with few uneven pairs shows too small a spread for a large difference: uneven pairs differ by `least`.
-  if (spread.uneven < 0.5) square = std::max(square, spread.least * mean);
+  // A pilot whose mean is large shows too small a spread for another mean: each uneven pair differs by `least` or more.
+  square = std::max({square, spread.least * mean, spread.uneven * spread.least * spread.least});
   const double share = std::min(1.0, std::max(spread.uneven, mean * mean / square));
   const double sizes = square / share / (spread.least * spread.least);
-  const bool mixed = !(sizes > 0.7 && sizes < 1.3);
+  const bool mixed = !(sizes < 1.3);
   if (design.test == PairedTest::student_t || (spread.uneven > 0.75 && sizes > 4.0))
     return power_of_t(pairs, mean, spread.deviation, design);
   const double probability = std::min(1.0, (1.0 + mean / std::sqrt(square * share)) / 2.0);
@@ -265,7 +265,8 @@ std::optional<std::int64_t> pairs_needed(double difference, const Spread& spread
   const auto enough = [&](std::int64_t pairs) { return power_of(pairs, difference, spread, design) >= design.power; };
   const std::int64_t fewest = smallest_pairs(design);
   if (enough(fewest)) return fewest;
-  // Power grows with the number of pairs: `below` pairs are too few, and `above` pairs are enough.
+  // Power grows with the number of pairs, but for the steps of a sign test of equal sizes: there the result is one of
+  // several borders. `below` pairs are too few, and `above` pairs are enough.
   std::int64_t below = fewest, above = 2 * fewest;
   while (!enough(above)) {
     if (above >= most_pairs_asked) return std::nullopt;
@@ -299,13 +300,15 @@ std::array<Spread, 2> spread_interval(const Spread& spread, std::int64_t values)
   assert(values >= 2);
   const auto degrees = static_cast<double>(values - 1);
   const std::int64_t even = std::llround((1.0 - spread.uneven) * static_cast<double>(values));
-  double low = degrees / chi_squared_quantile(0.975, degrees), high = degrees / chi_squared_quantile(0.025, degrees);
-  if (even > 0) {
-    low = std::min(low, binomial_share_at_least(values - even, values, 0.025) / spread.uneven);
-    high = std::max(high, (1.0 - binomial_share_at_least(even, values, 0.025)) / spread.uneven);
-  }
-  return {Spread(spread.deviation * std::sqrt(low), spread.uneven, spread.least),
-          Spread(spread.deviation * std::sqrt(high), spread.uneven, spread.least)};
+  const double low = degrees / chi_squared_quantile(0.975, degrees),
+               high = degrees / chi_squared_quantile(0.025, degrees);
+  const auto scaled = [&](double variance, double share) {
+    return Spread(spread.deviation * std::sqrt(variance), spread.uneven * share, spread.least);
+  };
+  const double fewer = binomial_share_at_least(values - even, values, 0.025) / spread.uneven;
+  const double more = (1.0 - binomial_share_at_least(std::max<std::int64_t>(even, 1), values, 0.025)) / spread.uneven;
+  return {even > 0 && fewer < low ? scaled(fewer, fewer) : scaled(low, 1.0),
+          even > 0 && more > high ? scaled(more, more) : scaled(high, 1.0)};
 }
 
 std::vector<double> holm(std::span<const double> p) {

@@ -53,8 +53,9 @@ bool sign_flip_of_values_is_exact(std::span<const double> values);
 // pairs can show. J. Cohen, "Statistical Power Analysis for the Behavioral Sciences", 2nd edition, 1988, chapter 2:
 // two-sided, by noncentral t with pairs - 1 degrees of freedom.
 //
-// The p values of a sign-flip test of N uneven pairs are multiples of 2/2^N. Its power is the power of Student's t at
-// the largest multiple within the level. At level 0.05, six pairs reach 2/64; five pairs can find nothing.
+// The p values of a sign-flip test of N uneven pairs are multiples of 2/2^N. Where nearly all pairs are uneven and
+// their sizes differ, its power is the power of Student's t at the largest multiple within the level. At level 0.05,
+// six pairs reach 2/64; five pairs can find nothing.
 //
 // Even pairs do not count in sign flips; their number is binomial. With many of them, or differences of few sizes,
 // the power is that of a sign test with the same mean square of differences. By Cauchy and Schwarz a mean difference

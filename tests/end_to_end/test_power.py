@@ -81,7 +81,7 @@ class PowerOfTournaments(tournament.Tournament):
                       self.refused("power", "one.db"))
         self.play("--results", "equal.db", teams=("small.yaml", "small.yaml"))
         self.assertEqual(self.refused("power", "equal.db"),
-                         'power: "goals" has no spread in equal.db: all pairs are even; play longer matches, or more: '
+                         'power: "goals" has no spread in equal.db: all pairs are even; play longer matches; or play more pairs: '
                          'regista resume equal.db --pairs N')
 
     def test_elo_is_a_difference_of_points(self):

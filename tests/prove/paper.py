@@ -26,10 +26,11 @@ def elements(source):
 
 
 def differences(study, measure):
-    """Of the JSON of an experiment: by arm, what it has more than the whole team, and half of the interval."""
+    """Of the JSON of an experiment: by arm, what it has more than the whole team, and half of the interval. An arm without a
+    value (nobody heard of a teammate) has none."""
     found = next(each for each in study["measures"] if each["measure"] == measure)
     return {each["second"]["arm"]: (-each["mean"], (each["interval"][1] - each["interval"][0]) / 2)
-            for each in found["differences"]}
+            for each in found["differences"] if each["mean"] is not None and each["interval"] is not None}
 
 
 def means(study, measure):
@@ -46,7 +47,7 @@ def line(study, arm, measure):
 def shown(study, arm):
     """The two measures that the arm changes most surely."""
     def sureness(measure):
-        difference, half = differences(study, measure)[arm]
+        difference, half = differences(study, measure).get(arm, (0, 0))
         return abs(difference) / half if half > 0 else float("inf") if difference else 0.0
     moved = [each["measure"] for each in study["measures"] if sureness(each["measure"]) > 1]
     return "; ".join(line(study, arm, each) for each in sorted(moved, key=sureness, reverse=True)[:2]) or "nothing is found"
@@ -69,7 +70,9 @@ def main(program, source, folder):
         holds = (difference > half) if direction == "rises" else (difference < -half)
         claimed += 1
         held += holds
-        print(f"{name}: {line(study, name, measure)}: {direction if holds else 'NOT FOUND: ' + direction}")
+        other = difference < -half if direction == "rises" else difference > half
+        verdict = direction if holds else f"{'CONTRADICTED' if other else 'NOT FOUND'}: {direction}"
+        print(f"{name}: {line(study, name, measure)}: {verdict}")
     print(f"{held} of {claimed} directions found, {study['pairs']} pairs of matches an arm")
     return 0 if held == claimed else 1
 

@@ -52,7 +52,7 @@ constexpr double clearly_nearer = 4.0;  // squared distance; a match farther by 
 constexpr double out_of_question = gate + clearly_nearer;
 constexpr double never_fits = std::numeric_limits<double>::infinity();
 constexpr double least_believed_weight = 0.5;  // tracks of lower weight are not matched
-constexpr double matched_for = 5.0;            // s; an older track of a robot that walks says less than its last packet
+constexpr double matched_for = 5.0;            // s; assumption
 
 // Returns the position's covariance of a robot or a track.
 Eigen::Matrix2d place_covariance(const auto& estimate) {
@@ -332,6 +332,7 @@ OpponentFusion::Pair OpponentFusion::nearest(const regista_track& track, int sou
 
 void OpponentFusion::add(std::span<const regista_track> tracks, int source) {
   std::array<Pair, plugin::Predictor::track_capacity> pairs;
+  assert(tracks.size() <= pairs.size());
   for (std::size_t i = 0; i < tracks.size(); ++i) pairs[i] = nearest(tracks[i], source);
   const std::span<Pair> open(pairs.data(), tracks.size());
   std::uint64_t placed = 0;  // one bit for each track

@@ -55,7 +55,7 @@ struct SeenTeammate {
 // Pairs tracks with active robots other than `own`, and appends the pairs to `out`. The pair with the least squared
 // Mahalanobis distance comes first; each track and robot is paired at most once. Left out are pairs with more than 9.21
 // (99 % of true pairs have less), tracks that fit two robots about equally well (a difference below 4), and tracks
-// older than 5 s.
+// older than 5 s (an assumption: the robot may have walked on).
 void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
                      std::vector<SeenTeammate>& out);
 
@@ -149,8 +149,8 @@ class OpponentFusion {
  public:
   OpponentFusion() { clusters_.reserve(128); }
   void clear() { clusters_.clear(); }
-  // Adds all tracks of one source (numbers as in Estimate); each source once. Sources may be added in any order, but
-  // the order decides where more than one association is possible.
+  // Adds all tracks of one source (at most 64; numbers as in Estimate); each source once. Sources may be added in any
+  // order, but the order decides where more than one association is possible.
   void add(std::span<const regista_track> tracks, int source);
   // Replaces `out` with at most `most` opponents. That one comes first which most likely exists and is within 1 m of
   // its place: where more are known than can play, the least sure place gives way. More sources may be added
@@ -169,7 +169,7 @@ class OpponentFusion {
     double information = 0.0;   // sum of 1 / trace of the covariances
     double information2 = 0.0;  // sum of 1 / trace^2
     double missing = 1.0;       // probability that no track of the cluster is real
-    double likelihood;          // of an opponent near this place
+    double likelihood = 0.0;    // of an opponent near this place
     double age, best_trace;     // the least ones
   };
   struct Pair {       // of a track and the nearest cluster without a track of the same source

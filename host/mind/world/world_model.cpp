@@ -345,8 +345,8 @@ void WorldModel::fuse_balls(const Percepts& percepts, double dt) {
   common_.ball_state = fuse_ball(estimates_);
 }
 
-// `mine` is `common` and what this robot's camera has seen since its own packets. Covariance intersection allows for
-// what both know.
+// `mine` is `common` and LM. What the robot told in its own packets is in both. Covariance intersection allows for that
+// in the place; the weight counts it twice. With that the list of matches is no worse (OSPA), and is computed once.
 void WorldModel::fuse_opponents() {
   const auto most = static_cast<std::size_t>(plan_->rules().team_size);
   fusion_.clear();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // WorldModel contains all beliefs of a robot. As in Affinita et al. 2023: LM (LocalModel: its own sensing), OLM_j for
 // each robot j (TeamModel: what the packets of j told), and two distributed world models (DWM), which f computes from
-// LM and OLM_j. The world `mine` fuses LM with the teammates' models. The world `common` fuses only packets, also the
-// robot's own, so robots that heard the same packets have equal common worlds.
+// LM and OLM_j. The world `mine` fuses LM with the teammates' models; of opponents also with the model from the
+// robot's own packets. The world `common` fuses only packets, also the robot's own, so robots that heard the same
+// packets have equal common worlds.
 #pragma once
 
 #include <cstdint>

@@ -12,6 +12,7 @@
 #include <random>
 #include <regista/testkit/dice.hpp>
 #include <set>
+#include <tuple>
 
 namespace regista::mind {
 namespace {
@@ -424,6 +425,77 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
       EXPECT_DOUBLE_EQ(each.age, truth.age);
     }
     for (std::size_t i = 1; i < out.size(); ++i) EXPECT_GE(likelihood(out[i - 1]), likelihood(out[i]));
+  }
+}
+
+// The same by brute force: all pairs of a source's tracks and the clusters, sorted by distance, ties by place.
+std::vector<regista_opponent> fused_by_sorting(const std::map<int, std::vector<regista_track>>& by_source) {
+  struct Group {
+    double x = 0, y = 0, i1 = 0, i2 = 0, missing = 1;
+  };
+  std::vector<Group> groups;
+  const auto join = [](Group& group, const regista_track& track) {
+    const double information = 1.0 / (track.covariance[0] + track.covariance[2]);
+    group.x += information * information * track.x;
+    group.y += information * information * track.y;
+    group.i1 += information;
+    group.i2 += information * information;
+    group.missing *= 1.0 - track.weight;
+  };
+  for (const auto& [source, tracks] : by_source) {
+    std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      for (std::size_t j = 0; j < groups.size(); ++j) {
+        const Group& group = groups[j];
+        const double dx = group.x / group.i2 - tracks[i].x, dy = group.y / group.i2 - tracks[i].y;
+        const double distance =
+            (dx * dx + dy * dy) / (0.5 * (tracks[i].covariance[0] + tracks[i].covariance[2] + group.i1 / group.i2));
+        if (dx * dx + dy * dy <= 4.0 && distance <= 9.21) pairs.emplace_back(distance, i, j);
+      }
+    }
+    std::ranges::sort(pairs);
+    std::set<std::size_t> placed, taken;
+    for (const auto& [distance, i, j] : pairs) {
+      if (placed.count(i) != 0 || taken.count(j) != 0) continue;
+      placed.insert(i);
+      taken.insert(j);
+      join(groups[j], tracks[i]);
+    }
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      if (placed.count(i) == 0) join(groups.emplace_back(), tracks[i]);
+    }
+  }
+  std::vector<regista_opponent> out;
+  for (const Group& group : groups) {
+    regista_opponent& each = out.emplace_back();
+    each.position[0] = group.x / group.i2;
+    each.position[1] = group.y / group.i2;
+    each.weight = 1.0 - group.missing;
+  }
+  return out;
+}
+
+// In dense crowds many tracks want the same cluster, and the loser takes the next nearest one.
+TEST(OpponentFusion, CrowdsAgainstBruteForce) {
+  Dice dice(8);
+  for (int round = 0; round < 300; ++round) {
+    std::vector<Told> estimates;
+    std::map<int, std::vector<regista_track>> by_source;
+    for (int i = dice.integer(0, 40); i > 0; --i) {
+      const int source = dice.integer(0, 7);
+      estimates.push_back(
+          opponent(dice.real(-2, 2), dice.real(-2, 2), dice.real(0.01, 0.5), source, i, dice.real(0.01, 0.9)));
+      by_source[source].push_back(estimates.back().track);
+    }
+    auto out = fused(estimates, 1000), expected = fused_by_sorting(by_source);
+    ASSERT_EQ(out.size(), expected.size()) << round;
+    for (auto* list : {&out, &expected})
+      std::ranges::sort(*list, {}, [](const auto& each) { return each.position[0]; });
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      EXPECT_NEAR(out[i].position[0], expected[i].position[0], 1e-9) << round;
+      EXPECT_NEAR(out[i].position[1], expected[i].position[1], 1e-9) << round;
+      EXPECT_NEAR(out[i].weight, expected[i].weight, 1e-9) << round;
+    }
   }
 }
 

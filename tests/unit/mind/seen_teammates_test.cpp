@@ -53,6 +53,15 @@ TEST(SeenTeammates, WhoFitsTwoIsNobody) {
   EXPECT_EQ(numbers({seen(0.5, 0, 0.1)}, robots, 3), (std::vector{0}));
 }
 
+TEST(SeenTeammates, NotWhomTheCameraSawLongAgo) {
+  const std::vector robots{robot(1, 0, 0, 0.3)};
+  std::vector tracks{seen(0.1, 0, 0.1)};
+  tracks[0].age = 4.9;
+  EXPECT_EQ(numbers(tracks, robots, 2), (std::vector{1}));
+  tracks[0].age = 5.1;
+  EXPECT_EQ(numbers(tracks, robots, 2), (std::vector{0}));
+}
+
 TEST(SeenTeammates, NotWhoIsUnlikelyOrOutOfPlayOrFarAway) {
   std::vector robots{robot(1, 0, 0, 0.3)};
   EXPECT_EQ(numbers({seen(0.1, 0, 0.1, 0.4)}, robots, 2), (std::vector{0}));

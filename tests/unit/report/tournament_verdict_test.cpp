@@ -52,7 +52,7 @@ TEST(TournamentVerdict, SaysWhatTheSizeOfANewTournamentRestsOn) {
   const study::Meeting& meeting = open.tournament->meetings().front();
   const auto [low, high] = statistics::spread_interval(statistics::Spread(meeting.goals_of_pairs), 7);
   const statistics::PowerDesign design;
-  EXPECT_THAT(beside(open), HasSubstr("That number rests on these 7 pairs (2 uneven); with 95 % confidence it is " +
+  EXPECT_THAT(beside(open), HasSubstr("That number rests on these 7 pairs (2 uneven); with 95 % confidence it is about " +
                                       std::to_string(*statistics::pairs_needed(0.5, low, design)) + " to " +
                                       std::to_string(*statistics::pairs_needed(0.5, high, design)) + ".\n"));
 }
@@ -63,7 +63,7 @@ TEST(TournamentVerdict, SaysThatMatchesAreTooShortForGoals) {
   course.tournament.emplace(course.plan);
   for (int match_ = 0; match_ < 12; ++match_) course.take(match(0, 0));
   EXPECT_EQ(sentence(course), "Not decided between new and old. All pairs ended with the same goal difference.");
-  EXPECT_THAT(beside(course), HasSubstr("No match had a goal: they are too short. Play longer ones.\n"));
+  EXPECT_THAT(beside(course), HasSubstr("No match had a goal. Play longer ones, or whole matches.\n"));
   Course whole({"new", "old"}, 6);
   for (int match_ = 0; match_ < 12; ++match_) whole.take(match(0, 0));
   EXPECT_THAT(beside(whole), Not(HasSubstr("too short")));
