@@ -178,8 +178,8 @@ results::PlannedStudy planned_by(const config::Node& document, const Folders& pl
 
 // These functions call study::with_pairs() and study::without_end() for the text of a plan. read: reads the text.
 template <auto read>
-std::string with_pairs(const std::string& plan, std::uint64_t pairs) {
-  return study::to_json(study::with_pairs(read(plan), pairs));
+std::string with_pairs(const std::string& plan, std::uint64_t pairs, std::uint64_t matches) {
+  return study::to_json(study::with_pairs(read(plan), pairs, matches));
 }
 template <auto read>
 std::string without_end(const std::string& plan) {

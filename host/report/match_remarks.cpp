@@ -48,8 +48,9 @@ std::string too_few(std::uint64_t pairs, const statistics::PowerDesign& design, 
 // chosen: whether results may have decided the number, because the user went on after a look, or by a sequential test.
 std::string stopped(std::optional<std::uint64_t> after, const std::string& of, bool chosen) {
   if (!after) return {};
-  return fmt::format("The clock stopped it after {}{} {}{}.", *after, of, *after == 1 && of.empty() ? "pair" : "pairs",
-                     chosen ? "" : ", a number that was fixed without looking at the results");
+  return fmt::format(
+      "The clock stopped it after {}{} {}{}.", *after, of, *after == 1 && of.empty() ? "pair" : "pairs",
+      chosen ? "" : ", a number that counts as fixed beforehand, unless the clock was set anew after a look");
 }
 
 std::string number(std::optional<std::uint64_t> after, std::uint64_t planned, std::string_view open_end) {

@@ -81,7 +81,7 @@ std::string too_few_pairs(const study::ExperimentPlan& plan);
 std::string number_of_pairs(const study::TournamentPlan& plan);
 std::string number_of_pairs(const study::ExperimentPlan& plan);
 
-// "The clock stopped it after 37 of 100 pairs, a number that was fixed without looking at the results."; otherwise "".
+// "The clock stopped it after 37 of 100 pairs, a number that counts as fixed beforehand, unless ..."; otherwise "".
 std::string stopped_sentence(const study::TournamentPlan& plan);
 std::string stopped_sentence(const study::ExperimentPlan& plan);
 

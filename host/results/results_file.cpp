@@ -140,10 +140,10 @@ void give_pairs(const std::string& file, std::uint64_t pairs, std::span<const St
   auto store =
       opening([&] { return campaign::Store(file, campaign::Store::Mode::open, REGISTA_VERSION, journal_of(file)); });
   change_plan(fmt::format("--pairs {}: {}", pairs, file), store, kinds,
-              [pairs](const StudyKind& kind, const std::string& plan) {
+              [pairs, &store](const StudyKind& kind, const std::string& plan) {
                 if (!kind.with_pairs)
                   throw std::invalid_argument(fmt::format("{} has no number of pairs", kind.article));
-                return kind.with_pairs(plan, pairs);
+                return kind.with_pairs(plan, pairs, static_cast<std::uint64_t>(store.rows()));
               });
 }
 

@@ -71,7 +71,7 @@ struct StudyKind {
   bool figures = true;  // true: the study writes figures beside its page
   // Returns the plan with another number of pairs of matches. No function: this kind has no number of pairs. Throws
   // std::invalid_argument with one line that says why the plan cannot have this number.
-  std::function<std::string(const std::string& plan, std::uint64_t pairs)> with_pairs{};
+  std::function<std::string(const std::string& plan, std::uint64_t pairs, std::uint64_t stored_matches)> with_pairs{};
   // Returns the plan of a study that a time limit (--until, --minutes) stopped, without this end, so that it can go on.
   // No function: no time limit stops studies of this kind between two pairs. Throws std::invalid_argument.
   std::function<std::string(const std::string& plan)> without_end{};

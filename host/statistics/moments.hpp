@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 #include <vector>
@@ -45,7 +46,9 @@ class Moments {
   void add(double value) {
     ++count_;
     uneven_ += value != 0.0 ? 1 : 0;
-    if (value != 0.0) least_ = std::min(least_, std::abs(value));
+    const double quarters = 4.0 * std::abs(value);
+    in_quarters_ = in_quarters_ && quarters < 1e15 && quarters == std::floor(quarters);
+    if (in_quarters_) quarters_ = std::gcd(quarters_, static_cast<std::int64_t>(quarters));
     const double before = value - mean_;
     mean_ += before / static_cast<double>(count_);
     squares_ += before * (value - mean_);
@@ -53,15 +56,18 @@ class Moments {
 
   std::int64_t count() const { return count_; }
   std::int64_t uneven() const { return uneven_; }  // number of values other than 0
-  double least() const { return least_; }          // smallest size of these values; infinite without any
-  double mean() const { return mean_; }            // 0 without values
+  // Returns the largest number of which all values are multiples, such as 1/2 for means of two scores; 0 if the values
+  // are no multiples of 1/4.
+  double unit() const { return in_quarters_ ? static_cast<double>(quarters_) / 4.0 : 0.0; }
+  double mean() const { return mean_; }  // 0 without values
   // Sample variance with divisor count - 1. Returns 0 for fewer than two values, although their variance is unknown.
   double variance() const { return count_ < 2 ? 0.0 : squares_ / static_cast<double>(count_ - 1); }
   double standard_deviation() const { return std::sqrt(variance()); }
 
  private:
-  std::int64_t count_ = 0, uneven_ = 0;
-  double mean_ = 0.0, squares_ = 0.0, least_ = infinite;
+  std::int64_t count_ = 0, uneven_ = 0, quarters_ = 0;
+  double mean_ = 0.0, squares_ = 0.0;
+  bool in_quarters_ = true;
 };
 
 // Returns the quantile of type 7 of R. J. Hyndman and Y. Fan, "Sample Quantiles in Statistical Packages", The American

@@ -242,10 +242,10 @@ double power_of(std::int64_t pairs, double difference, const Spread& spread, con
   assert(is_sound(design) && spread.deviation > 0.0);
   const double mean = std::abs(difference);
   double square = spread.deviation * spread.deviation + mean * mean;
-  // A pilot whose mean is large shows too small a spread for another mean: each uneven pair differs by `least` or more.
-  square = std::max({square, spread.least * mean, spread.uneven * spread.least * spread.least});
+  // A pilot whose mean is large shows too small a spread for another mean: each uneven pair differs by `unit` or more.
+  square = std::max({square, spread.unit * mean, spread.uneven * spread.unit * spread.unit});
   const double share = std::min(1.0, std::max(spread.uneven, mean * mean / square));
-  const double sizes = square / share / (spread.least * spread.least);
+  const double sizes = square / share / (spread.unit * spread.unit);
   const bool mixed = !(sizes < 1.3);
   if (design.test == PairedTest::student_t || (spread.uneven > 0.75 && sizes > 4.0))
     return power_of_t(pairs, mean, spread.deviation, design);
@@ -303,7 +303,7 @@ std::array<Spread, 2> spread_interval(const Spread& spread, std::int64_t values)
   const double low = degrees / chi_squared_quantile(0.975, degrees),
                high = degrees / chi_squared_quantile(0.025, degrees);
   const auto scaled = [&](double variance, double share) {
-    return Spread(spread.deviation * std::sqrt(variance), spread.uneven * share, spread.least);
+    return Spread(spread.deviation * std::sqrt(variance), spread.uneven * share, spread.unit);
   };
   const double fewer = binomial_share_at_least(values - even, values, 0.025) / spread.uneven;
   const double more = (1.0 - binomial_share_at_least(std::max<std::int64_t>(even, 1), values, 0.025)) / spread.uneven;

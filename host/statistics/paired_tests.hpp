@@ -76,13 +76,13 @@ std::int64_t smallest_pairs(const PowerDesign& design);
 
 // How the difference of a pair spreads. Differences are means of pairs.
 struct Spread {
-  Spread(double of_pairs, double share = 1.0, double size = 0.0) : deviation(of_pairs), uneven(share), least(size) {}
+  Spread(double of_pairs, double share = 1.0, double step = 0.0) : deviation(of_pairs), uneven(share), unit(step) {}
   explicit Spread(const Moments& of)  // two or more values, not all equal
-      : Spread(of.standard_deviation(), static_cast<double>(of.uneven()) / static_cast<double>(of.count()),
-               of.least()) {}
+      : Spread(of.standard_deviation(), static_cast<double>(of.uneven()) / static_cast<double>(of.count()), of.unit()) {
+  }
 
-  double deviation;      // standard deviation, in the unit of the differences, above 0
-  double uneven, least;  // share of differences other than 0, in (0, 1], and their smallest size (0: any)
+  double deviation;     // standard deviation, in the unit of the differences, above 0
+  double uneven, unit;  // share of differences other than 0, in (0, 1]; all are multiples of the unit (0: any numbers)
 };
 
 // Returns the probability of finding a difference with this number of pairs; 0 if the test cannot find anything.

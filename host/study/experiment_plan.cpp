@@ -308,7 +308,7 @@ bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison) 
   return key(comparison.first, 0) == key(comparison.second, 0) && key(comparison.first, 1) == key(comparison.second, 1);
 }
 
-ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs) {
+ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs, std::uint64_t) {
   const std::uint64_t before = plan.pairs_to_its_end(), most = most_experiment_matches / 2 / plan.conditions.size();
   if (pairs == before && !plan.ended_after) return plan;
   if (pairs <= before) throw std::invalid_argument(fmt::format("it has {} pairs already", before));

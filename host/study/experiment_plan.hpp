@@ -98,7 +98,7 @@ bool equal_conditions(const ExperimentPlan& plan, const Comparison& comparison);
 const char* name(PairTest test);
 
 // A copy of the plan with more pairs. Throws std::invalid_argument if `pairs` is below the plan's number.
-ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs);
+ExperimentPlan with_pairs(ExperimentPlan plan, std::uint64_t pairs, std::uint64_t stored_matches = 0);
 // A copy of the plan without `ended_after`: a study that a time limit stopped continues until all pairs are played.
 ExperimentPlan without_end(ExperimentPlan plan);
 

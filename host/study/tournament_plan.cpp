@@ -323,7 +323,7 @@ bool equal_teams(const TournamentPlan& plan, const Pairing& pairing) {
              campaign::fixture_key(b.disturbances, a.disturbances, {});
 }
 
-TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs) {
+TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs, std::uint64_t stored_matches) {
   if (plan.asked.test) {
     throw std::invalid_argument(
         "it has a sequential test, whose error rates hold for the number of pairs that was fixed before the first "
@@ -333,8 +333,11 @@ TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs) {
     throw std::invalid_argument(
         "the draw of its later rounds depends on the number of pairs, so it cannot have more of them");
   }
-  const std::uint64_t before = plan.pairs_to_its_end();
-  if (pairs == before && !plan.ended_after) return plan;
+  // A study that the clock had to end, and that was interrupted before, has the pairs that were begun.
+  const bool begun = !plan.open_end().empty() && !plan.ended_after;
+  const std::uint64_t of_each = 2 * plan.meetings();
+  const std::uint64_t before = begun ? (stored_matches + of_each - 1) / of_each : plan.pairs_to_its_end();
+  if (pairs == before && !plan.ended_after && !begun) return plan;
   if (pairs <= before) throw std::invalid_argument(fmt::format("it has {} pairs already", before));
   if (pairs > most_pairs) throw std::invalid_argument(fmt::format("at most {} pairs can be played", most_pairs));
   plan.ended_after = before;

@@ -95,7 +95,8 @@ inline constexpr std::uint64_t most_pairs = 10'000'000;
 
 // A copy of the plan with more pairs. Throws std::invalid_argument if `pairs` is below the plan's number. Throws
 // std::invalid_argument also for a sequential test, because the test's error rates hold only for the planned number.
-TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs);
+// stored_matches: what a study that the clock has to end has played so far.
+TournamentPlan with_pairs(TournamentPlan plan, std::uint64_t pairs, std::uint64_t stored_matches = 0);
 
 // A copy of the plan without `ended_after`: a study that a time limit stopped continues until all pairs are played.
 TournamentPlan without_end(TournamentPlan plan);

@@ -36,8 +36,8 @@ class Clock(tournament.Tournament):
         again = self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--json")
         self.assertEqual((json.loads(again), self.rows()), (report, rows))
         text = self.succeed("report", "tournament.db")
-        self.assertIn(f"The clock stopped it after {after} of {self.NEVER_DONE} pairs, a number that was fixed without looking "
-                      "at the results.", text)
+        self.assertIn(f"The clock stopped it after {after} of {self.NEVER_DONE} pairs, a number that counts as fixed beforehand, "
+                      "unless the clock was set anew after a look.", text)
         # A fixed number of as many pairs plays and finds the same.
         fixed = self.report("--results", "fixed.db", pairs=after)
         self.assertEqual(fixed["pairings"], report["pairings"])
@@ -51,11 +51,11 @@ class Clock(tournament.Tournament):
         second = on["ended_after"]
         self.assertGreater(second, first)
         self.assertEqual(on["pairs_before"], str(first))
-        # Its number of pairs was not fixed without looking, and nothing says so.
+        # Its number of pairs does not count as fixed beforehand, and nothing says so.
         text = self.succeed("report", "tournament.db")
         self.assertIn(f"It had {first} pairs before it was given more.", text)
         self.assertIn(f"The clock stopped it after {second} of {self.NEVER_DONE} pairs.\n", text)
-        self.assertNotIn("without looking", text)
+        self.assertNotIn("fixed beforehand, unless", text)
         self.assertIn(f"it has {second} pairs already", self.refused("resume", "tournament.db", "--pairs", second))
         more = json.loads(self.succeed("resume", "tournament.db", "--no-page", "--quiet", "--json", "--pairs", second + 2))
         self.assertEqual((more["pairs"], more["pairs_before"], more["complete"]), (second + 2, f"{first}, {second}", True))

@@ -32,21 +32,25 @@ TEST(PairsText, SaysWhereTheClockStoppedIt) {
   EXPECT_EQ(stopped_sentence(plan), "");
   EXPECT_EQ(number_of_pairs(plan), "100 pairs");
   plan.ended_after = 37;
-  EXPECT_EQ(stopped_sentence(plan),
-            "The clock stopped it after 37 of 100 pairs, a number that was fixed without looking at the results.");
+  EXPECT_EQ(
+      stopped_sentence(plan),
+      "The clock stopped it after 37 of 100 pairs, a number that counts as fixed beforehand, unless the clock was set "
+      "anew after a look.");
   EXPECT_EQ(number_of_pairs(plan), "37 pairs, where the clock stopped it (100 were planned)");
   // As many as fit were asked for.
   plan.asked.pairs = static_cast<int>(study::most_pairs);
   EXPECT_EQ(number_of_pairs(plan), "37 pairs, where the clock stopped it");
   plan.ended_after = 1;
   EXPECT_EQ(stopped_sentence(plan),
-            "The clock stopped it after 1 pair, a number that was fixed without looking at the results.");
+            "The clock stopped it after 1 pair, a number that counts as fixed beforehand, unless the clock was set "
+            "anew after "
+            "a look.");
   plan.ended_after.reset();
   EXPECT_EQ(number_of_pairs(plan), "pairs until the clock ends the study");
   plan.asked.pairs.reset();
   plan.asked.test = study::plan_of(2, 1, study::ValueTest{"goals"}).asked.test;
   EXPECT_EQ(number_of_pairs(plan), "pairs until the test ends the study");
-  // Where results may have decided the number, it was not fixed without looking at them.
+  // Where results may have decided the number, nothing says that it counts as fixed.
   plan.ended_after = 37;
   EXPECT_EQ(stopped_sentence(plan), "The clock stopped it after 37 pairs.");
   plan.asked.test.reset();
