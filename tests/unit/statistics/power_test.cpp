@@ -192,8 +192,8 @@ TEST(Power, APilotThatIsWonClearlyDoesNotPromiseTooMuch) {
   EXPECT_NEAR(found_with_even_pairs(pairs, 0.9, 0.5, 0.25 / 0.45), 0.8, 0.05) << pairs;
 }
 
-// All pairs of this pilot were won, by 1 to 5.5 goals in steps of 1/2: there are small differences, too, and the pilot's
-// spread is what counts.
+// All pairs of this pilot were won, by 1 to 5.5 goals in steps of 1/2: there are small differences, too, and the
+// pilot's spread is what counts.
 TEST(Power, APilotOfUnequalTeamsDoesNotPromiseTooLittle) {
   const Moments pilot(std::vector{1.0, 2.5, 2.5, 3.0, 3.5, 5.5, 2.0, 2.5});
   EXPECT_DOUBLE_EQ(pilot.unit(), 0.5);
