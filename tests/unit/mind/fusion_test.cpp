@@ -431,7 +431,7 @@ TEST(OpponentFusion, RandomSetsAgainstBruteForce) {
 // The same by brute force: all pairs of a source's tracks and the clusters, sorted by distance, ties by place.
 std::vector<regista_opponent> fused_by_sorting(const std::map<int, std::vector<regista_track>>& by_source) {
   struct Group {
-    double x = 0, y = 0, i1 = 0, i2 = 0, missing = 1;
+    double x = 0, y = 0, i1 = 0, i2 = 0;
   };
   std::vector<Group> groups;
   const auto join = [](Group& group, const regista_track& track) {
@@ -440,7 +440,6 @@ std::vector<regista_opponent> fused_by_sorting(const std::map<int, std::vector<r
     group.y += information * information * track.y;
     group.i1 += information;
     group.i2 += information * information;
-    group.missing *= 1.0 - track.weight;
   };
   for (const auto& [source, tracks] : by_source) {
     std::vector<std::tuple<double, std::size_t, std::size_t>> pairs;
@@ -456,9 +455,8 @@ std::vector<regista_opponent> fused_by_sorting(const std::map<int, std::vector<r
     std::ranges::sort(pairs);
     std::set<std::size_t> placed, taken;
     for (const auto& [distance, i, j] : pairs) {
-      if (placed.count(i) != 0 || taken.count(j) != 0) continue;
+      if (placed.count(i) != 0 || !taken.insert(j).second) continue;
       placed.insert(i);
-      taken.insert(j);
       join(groups[j], tracks[i]);
     }
     for (std::size_t i = 0; i < tracks.size(); ++i) {
@@ -469,7 +467,6 @@ std::vector<regista_opponent> fused_by_sorting(const std::map<int, std::vector<r
   for (std::size_t i = 0; i < groups.size(); ++i) {
     out[i].position[0] = groups[i].x / groups[i].i2;
     out[i].position[1] = groups[i].y / groups[i].i2;
-    out[i].weight = 1.0 - groups[i].missing;
   }
   return out;
 }
@@ -494,7 +491,6 @@ TEST(OpponentFusion, CrowdsAgainstBruteForce) {
     for (std::size_t i = 0; i < out.size(); ++i) {
       EXPECT_NEAR(out[i].position[0], expected[i].position[0], 1e-9) << round;
       EXPECT_NEAR(out[i].position[1], expected[i].position[1], 1e-9) << round;
-      EXPECT_NEAR(out[i].weight, expected[i].weight, 1e-9) << round;
     }
   }
 }
