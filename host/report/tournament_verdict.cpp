@@ -66,9 +66,9 @@ std::string what_more_would_find(const TournamentView& view, const Meeting& meet
   if (!all) return fmt::format("No tournament of up to {} pairs would {}", statistics::most_pairs_asked, found);
   if (static_cast<std::uint64_t>(*all) > pairs) {
     const auto [low, high] = statistics::spread_interval(spread, meeting.goals_of_pairs.count());
-    beside.push_back(fmt::format("That number rests on these {} ({} uneven); with 95 % confidence it is about {} to {}.",
-                                 pairs_in_words(pairs), meeting.goals_of_pairs.uneven(), pairs_text(needed(low)),
-                                 pairs_text(needed(high))));
+    beside.push_back(fmt::format(
+        "That number rests on these {} ({} uneven); with 95 % confidence it is about {} to {}.", pairs_in_words(pairs),
+        meeting.goals_of_pairs.uneven(), pairs_text(needed(low)), pairs_text(needed(high))));
     return fmt::format("A new tournament of about {} pairs would {}", pairs_text(all), found);
   }
   return pairs_in_words(pairs) + " " + found;
