@@ -17,7 +17,7 @@ struct Plugin {
   int count = 6;
   static constexpr std::tuple parameters{
       regista::real("radius", &Plugin::radius, {0.2, 10.0}, "m", "Distance of the points from the ball").tunable(),
-      regista::integer("count", &Plugin::count, {3, 24}, "1", "Number of the points")};
+      regista::integer("count", &Plugin::count, {3, 24}, "1", "Number of the points on the circle")};
 
   Point edge;
   std::vector<Point> points;  // kept, so that only the first call allocates
@@ -34,6 +34,7 @@ struct Plugin {
     }
     ring(centre, radius, count, edge, points);
     for (const Point& each : points) out.point(each.x, each.y);
+    out.point(-0.75 * edge.x, 0.0);  // without it, teams that keep the tasks nearest to points keep no defender
     for (int i = 0; i < count; ++i) out.edge(static_cast<unsigned>(i), static_cast<unsigned>((i + 1) % count));
   }
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points on a circle around the ball, evenly, kept on the field. */
+ * Points on a circle around the ball, evenly, kept on the field, and one before the own goal. */
 #include <math.h>
 #include <string.h>
 
@@ -57,6 +57,9 @@ static int32_t place(void* instance, const regista_frame* frame, regista_placeme
     *point = (regista_waypoint){.x = points[i][0], .y = points[i][1], .score = 1.0, .task = -1};
     *edge = (regista_edge){.from = (uint32_t)i, .to = (uint32_t)((i + 1) % self->count)};
   }
+  /* Without this point, teams that keep the tasks nearest to points keep no defender. */
+  regista_waypoint* guard = add(&out->points);
+  if (guard != NULL) *guard = (regista_waypoint){.x = -0.75 * self->edge[0], .score = 1.0, .task = -1};
   return REGISTA_OK;
 }
 
@@ -75,7 +78,7 @@ static const regista_parameter parameters[] = {{.size = sizeof(regista_parameter
                                                 .type = REGISTA_TYPE_INTEGER,
                                                 .name = "count",
                                                 .unit = "1",
-                                                .doc = "Number of the points",
+                                                .doc = "Number of the points on the circle",
                                                 .minimum = 3.0,
                                                 .maximum = MOST_POINTS,
                                                 .initial = 6.0}};
