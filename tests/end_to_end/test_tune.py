@@ -256,8 +256,7 @@ class Played(Tuning):
         for name, y in (("left", 0.3), ("right", -0.3)):  # where most kicks are goals
             text = tournament.SCENE.format(name=name, y=y)
             self.write(f"scenes/{name}.yaml", text.replace("at: [3, ", "at: [4.2, ").replace("at: [2.7, ", "at: [3.9, "))
-        self.document(parameters="[behaviours.play_ball.params.creep_speed]", matches=40,
-                      objective="{minimise: goal_difference}")
+        self.document(matches=40, objective="{minimise: goal_difference}")
         told = self.tune()
         reported = json.loads(self.succeed("report", "trial.db", "--json"))
         packets = [[each["packets_of_short_games"] for each in report["verification"]["candidates"]]
