@@ -230,8 +230,8 @@ std::vector<MetricRow> numbers_of_packets() {
           "of the time it may last",
           [](const Source& from) { return from.packets_share; }),
       sum("packets_over_share", "packets", {},
-          "`packets` less that share. A team above it by more than 5 % of the share sends more often than the budget of a "
-          "whole match allows",
+          "`packets` less that share. A team above it by more than 5 % of the share sends more often than the budget "
+          "of a whole match allows",
           [](const Source& from) -> std::optional<double> {
             if (!from.packets_share) return std::nullopt;
             return from.result.packets[index(from.side)] - rounded_metric(*from.packets_share);

@@ -52,9 +52,10 @@ TEST(TournamentVerdict, SaysWhatTheSizeOfANewTournamentRestsOn) {
   const study::Meeting& meeting = open.tournament->meetings().front();
   const auto [low, high] = statistics::spread_interval(statistics::Spread(meeting.goals_of_pairs), 7);
   const statistics::PowerDesign design;
-  EXPECT_THAT(beside(open), HasSubstr("That number rests on these 7 pairs (2 uneven); with 95 % confidence it is about " +
-                                      std::to_string(*statistics::pairs_needed(0.5, low, design)) + " to " +
-                                      std::to_string(*statistics::pairs_needed(0.5, high, design)) + ".\n"));
+  EXPECT_THAT(beside(open),
+              HasSubstr("That number rests on these 7 pairs (2 uneven); with 95 % confidence it is about " +
+                        std::to_string(*statistics::pairs_needed(0.5, low, design)) + " to " +
+                        std::to_string(*statistics::pairs_needed(0.5, high, design)) + ".\n"));
 }
 
 TEST(TournamentVerdict, SaysThatMatchesAreTooShortForGoals) {
