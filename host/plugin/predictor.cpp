@@ -129,6 +129,8 @@ void check_together(const Instance& instance, std::span<const regista_track> tra
       }
       return;
     default:
+      // Labels in ascending order are unique, and most lists are in this order.
+      if (std::ranges::is_sorted(tracks, std::ranges::less_equal{}, &regista_track::label)) return;
       for (std::size_t i = 1; i < tracks.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
           if (tracks[i].label == tracks[j].label) [[unlikely]]

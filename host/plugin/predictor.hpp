@@ -2,8 +2,11 @@
 // The calls of a predictor, with checks of its answers.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -66,6 +69,13 @@ inline bool clearly_definite(const double (&place)[3]) {
 // [P C; C^T Q] is positive definite if and only if P and the Schur complement Q - C^T P^-1 C are positive definite. The
 // code multiplies the complement by det P, to avoid a division.
 inline bool clearly_definite(const double (&p)[3], const double (&r)[7]) {
+  // Most tracks pass at once, for their place and velocity are little correlated: the product of the least eigenvalues
+  // of P and Q (by Gershgorin's bound) exceeds the squared norm of C.
+  const double place = std::min(p[0], p[2]) - std::abs(p[1]), velocity = std::min(r[4], r[6]) - std::abs(r[5]);
+  const double shared = r[0] * r[0] + r[1] * r[1] + (r[2] * r[2] + r[3] * r[3]);
+  const bool finite = p[0] + p[2] + r[4] + r[6] <= std::numeric_limits<double>::max();
+  if ((place > 0.0) & (velocity > 0.0) & (shared < 0.99 * (place * velocity)) & finite) return true;
+
   constexpr double margin = 1e-9;
   const double determinant = p[0] * p[2] - p[1] * p[1];
   // U = adj(P) C and S = det(P) Q - C^T U

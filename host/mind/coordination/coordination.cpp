@@ -104,17 +104,17 @@ Vector2d target_of(const config::TargetRule& rule, const NamedPoints& points) {
   } else {
     point = points.at(rule.at.value_or(config::Place{}));
   }
-  point += Vector2d(rule.shift[0], rule.shift[1]);
+  double x = point.x() + rule.shift[0], y = point.y() + rule.shift[1];
   if (rule.lateral) {
     const double ball_y = points.at({config::Anchor::ball, {}}).y();
-    point.y() = ball_y >= 0.0 ? -*rule.lateral : *rule.lateral;
+    y = ball_y >= 0.0 ? -*rule.lateral : *rule.lateral;
   }
   if (rule.within) {
     const auto& [x_min, x_max, y_min, y_max] = *rule.within;
-    point.x() = std::clamp(point.x(), x_min, x_max);
-    point.y() = std::clamp(point.y(), y_min, y_max);
+    x = std::clamp(x, x_min, x_max);
+    y = std::clamp(y, y_min, y_max);
   }
-  return point;
+  return {x, y};
 }
 
 void UtilityEstimationMatrix::estimate(std::span<plugin::Utility> plugins, std::span<const TermPart> terms,

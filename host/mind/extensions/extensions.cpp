@@ -40,6 +40,7 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
   log_use_.place = draw_use_.place = place;
   log_ = {sizeof log_, 0, this, [](void* context, std::int32_t level, const char* text, std::uint32_t length) {
             InstanceExtensions& self = of(context);
+            self.begin_call();
             // Ignores lines beyond the limit. The log has already reported that the instance exceeds the limit.
             if (self.owner_->muted_ || self.log_use_.lines > REGISTA_LOG_MOST_LINES) return;
             // A plugin may give a wrong length, so strnlen() stops at the end of the string.
@@ -50,6 +51,7 @@ InstanceExtensions::InstanceExtensions(Extensions& owner, const plugin::Found& p
            [](void* context) -> std::int32_t { return of(context).owner_->drawings_.wanted() ? 1 : 0; },
            [](void* context, const regista_shape* shape) {
              InstanceExtensions& self = of(context);
+             self.begin_call();
              if (shape != nullptr && !self.owner_->muted_) self.owner_->drawings_.draw(self.draw_use_, *shape);
            }};
   metric_reports_ = {sizeof metric_reports_, 0, this, [](void* context, std::uint32_t metric, double value) {
@@ -103,6 +105,12 @@ const void* InstanceExtensions::find(std::string_view id) const {
   return nullptr;
 }
 
+void InstanceExtensions::begin_call() {
+  if (counted_in_ == owner_->decision_) return;
+  counted_in_ = owner_->decision_;
+  log_use_.lines = draw_use_.shapes = draw_use_.points = 0;
+}
+
 const InstanceExtensions& Extensions::open(const plugin::Found& plugin, std::span<const int> metrics) {
   return *instances_.emplace_back(
       std::make_unique<InstanceExtensions>(*this, plugin, metrics, static_cast<int>(instances_.size())));
@@ -112,7 +120,7 @@ void Extensions::begin(double time) {
   log_.begin(time);
   drawings_.begin();
   pass_.reset();
-  for (const auto& each : instances_) each->begin_decision();
+  ++decision_;
 }
 
 }  // namespace regista::mind

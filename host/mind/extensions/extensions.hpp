@@ -35,16 +35,18 @@ class InstanceExtensions {
 
   // Returns the function table of the extension `id`; null for an unknown name.
   const void* find(std::string_view id) const;
-  // Resets the counts that are limited for each decision.
-  void begin_decision() { log_use_.lines = draw_use_.shapes = draw_use_.points = 0; }
 
  private:
   static InstanceExtensions& of(void* context) { return *static_cast<InstanceExtensions*>(context); }
+  // Resets the counts that are limited for each decision, with the first call in a decision. Few plugins log or draw,
+  // and to reset the counts of all at its beginning would fetch the memory of all.
+  void begin_call();
 
   Extensions* owner_;
   const plugin::Found* plugin_;
   std::span<const int> metrics_;  // the plugin's metrics: indices into TeamPlan::metrics()
   int place_;                     // place of the instance in the robot's mind (see mailboxes.hpp)
+  std::uint64_t counted_in_ = 0;  // the decision of the counts in the next two
   LogUse log_use_;
   DrawUse draw_use_;
   regista_log log_{};
@@ -108,6 +110,7 @@ class Extensions {
   Answers answers_;
   RoleFacts roles_;
   bool muted_ = false;
+  std::uint64_t decision_ = 0;  // number of calls of begin()
   std::vector<std::unique_ptr<InstanceExtensions>> instances_;
 };
 

@@ -10,6 +10,8 @@
 #include <limits>
 #include <optional>
 
+#include "plugin/predictor.hpp"
+
 namespace regista::mind {
 namespace {
 
@@ -65,12 +67,15 @@ Eigen::Vector2d gap_between(const regista_robot& robot, const regista_track& tra
   return {track.x - robot.pose[0], track.y - robot.pose[1]};
 }
 
+// Written out, because the small matrices of Eigen would be stored in halves and loaded whole, which stalls.
 double misfit(const regista_robot& robot, const regista_track& track) {
-  const Eigen::Vector2d apart = gap_between(robot, track);
-  const Eigen::Matrix2d spread = place_covariance(robot) + place_covariance(track);
+  const double dx = track.x - robot.pose[0], dy = track.y - robot.pose[1];
+  const double xx = robot.covariance[0] + track.covariance[0], xy = robot.covariance[1] + track.covariance[1],
+               yy = robot.covariance[2] + track.covariance[2], determinant = xx * yy - xy * xy;
   // This quick test excludes most robots: the trace is at least as great as the variance in any direction.
-  if (apart.squaredNorm() > out_of_question * spread.trace() || spread.determinant() <= 0.0) return never_fits;
-  return apart.dot(spread.inverse() * apart);
+  if (dx * dx + dy * dy > out_of_question * (xx + yy) || determinant <= 0.0) return never_fits;
+  const double inverse = 1.0 / determinant, ixx = yy * inverse, ixy = -xy * inverse, iyy = xx * inverse;
+  return dx * (ixx * dx + ixy * dy) + dy * (ixy * dx + iyy * dy);
 }
 
 bool reckoned_with(const regista_robot& robot, int own) {
@@ -125,11 +130,6 @@ bool agree(const Weighed& a, const Weighed& b) {
 
 constexpr double furthest_pair = 2.0;  // m; two estimates of one opponent are nearer
 constexpr double near_place = 1.0;     // m; an opponent is where it is believed to be, for all purposes of play
-
-// Returns a label that is unique over all sources, if the tracks' labels are below 2^27.
-std::int32_t label_of(const regista_track& track, int source) {
-  return static_cast<std::int32_t>(static_cast<std::uint32_t>(track.label) << 5 | static_cast<std::uint32_t>(source));
-}
 
 constexpr double well_within_range = 0.8;  // share of the camera's range for balls
 constexpr double least_distance = 0.25;    // m; the direction of a nearer ball is uncertain
@@ -197,34 +197,49 @@ void merge_told(std::span<const regista_track> known, std::span<const regista_tr
 
 void match_teammates(std::span<const regista_track> seen, std::span<const regista_robot> robots, int own,
                      std::vector<SeenTeammate>& out) {
+  struct Fit {  // a track's robots of least misfit that are not taken
+    double nearest, second;
+    int number, second_number;
+  };
+  constexpr Fit none{never_fits, never_fits, 0, 0};
   std::uint64_t taken = 0;  // one bit for each robot
-  for (std::size_t count = 0; count < seen.size(); ++count) {
-    // Finds the best pair of the remaining tracks and robots.
-    double best = gate;
-    SeenTeammate pair{0, nullptr};
-    for (const regista_track& track : seen) {
-      if (track.weight < least_believed_weight || track.age > matched_for) continue;
-      if (std::ranges::find(out, &track, &SeenTeammate::track) != out.end()) continue;
-      double nearest = never_fits, second = nearest;
-      int number = 0;
-      for (const regista_robot& robot : robots) {
-        if (!reckoned_with(robot, own) || (taken >> robot.number & 1u) != 0) continue;
-        const double d2 = misfit(robot, track);
-        if (d2 < nearest) {
-          second = nearest;
-          nearest = d2;
-          number = robot.number;
-        } else if (d2 < second) {
-          second = d2;
-        }
+  const auto fit_of = [&](const regista_track& track) {
+    Fit fit = none;
+    for (const regista_robot& robot : robots) {
+      if (!reckoned_with(robot, own) || (taken >> robot.number & 1u) != 0) continue;
+      const double d2 = misfit(robot, track);
+      if (d2 < fit.nearest) {
+        fit = {d2, fit.nearest, robot.number, fit.number};
+      } else if (d2 < fit.second) {
+        fit.second = d2;
+        fit.second_number = robot.number;
       }
-      if (nearest >= best || second < nearest + clearly_nearer) continue;
-      best = nearest;
-      pair = {number, &track};
     }
-    if (pair.track == nullptr) return;
-    taken |= std::uint64_t{1} << pair.number;
-    out.push_back(pair);
+    return fit;
+  };
+  std::array<Fit, plugin::Predictor::track_capacity> fits;
+  assert(seen.size() <= fits.size());
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const bool believed = seen[i].weight >= least_believed_weight && seen[i].age <= matched_for;
+    fits[i] = believed ? fit_of(seen[i]) : none;
+  }
+  for (;;) {
+    // Takes the best pair of the remaining tracks and robots.
+    double best = gate;
+    std::size_t chosen = seen.size();
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (fits[i].nearest >= best || fits[i].second < fits[i].nearest + clearly_nearer) continue;
+      best = fits[i].nearest;
+      chosen = i;
+    }
+    if (chosen == seen.size()) return;
+    const int number = fits[chosen].number;
+    out.push_back({number, &seen[chosen]});
+    fits[chosen] = none;
+    taken |= std::uint64_t{1} << number;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (fits[i].number == number || fits[i].second_number == number) fits[i] = fit_of(seen[i]);
+    }
   }
 }
 
@@ -290,13 +305,6 @@ regista_ball fuse_ball(std::span<const Estimate> estimates) {
   return ball;
 }
 
-OpponentFusion::Cluster::Cluster(const regista_track& track, int from)
-    : weighted_sum(0.0, 0.0),
-      age(std::numeric_limits<double>::infinity()),
-      best_trace(std::numeric_limits<double>::infinity()) {
-  add(track, from);
-}
-
 void OpponentFusion::Cluster::add(const regista_track& track, int from) {
   // Niehsen's weights of isotropic covariances are proportional to 1/trace; those of the fused mean, to 1/trace^2.
   const double own_trace = position_trace(track), added = 1.0 / own_trace, added2 = added * added;
@@ -308,45 +316,66 @@ void OpponentFusion::Cluster::add(const regista_track& track, int from) {
   // The covariance intersection has the trace sum(w_i / t_i)^-1 with w_i = (1/t_i) / sum(1/t).
   trace = share * information;
   missing *= 1.0 - track.weight;
+  likelihood = -1.0;
   age = std::min(age, track.age);
   source = from;
   if (own_trace < best_trace) {
     best_trace = own_trace;
-    velocity = {track.vx, track.vy};
-    label = label_of(track, from);
+    best = &track;
+    source_of_best = from;
   }
 }
 
-OpponentFusion::Pair OpponentFusion::nearest(const regista_track& track, int source) const {
-  const double track_trace = position_trace(track);
-  Pair best{std::numeric_limits<double>::infinity(), 0};
-  for (std::size_t i = 0; i < clusters_.size(); ++i) {
-    const Cluster& each = clusters_[i];
-    const double dx = each.position.x() - track.x, dy = each.position.y() - track.y, squared = dx * dx + dy * dy;
-    if (squared > furthest_pair * furthest_pair || each.source == source) continue;
-    const double distance = squared / (0.5 * (track_trace + each.trace));
-    if (distance <= gate && distance < best.distance) best = {distance, i};
-  }
-  return best;
+std::int32_t OpponentFusion::Cluster::label() const {
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(best->label) << 5 |
+                                   static_cast<std::uint32_t>(source_of_best));
 }
 
+// Each cluster is compared with all tracks, not each track with all clusters, so that the processor need not wait for
+// one comparison before it begins the next.
 void OpponentFusion::add(std::span<const regista_track> tracks, int source) {
-  std::array<Pair, plugin::Predictor::track_capacity> pairs;
-  assert(tracks.size() <= pairs.size());
-  for (std::size_t i = 0; i < tracks.size(); ++i) pairs[i] = nearest(tracks[i], source);
-  const std::span<Pair> open(pairs.data(), tracks.size());
+  constexpr double none = std::numeric_limits<double>::infinity();
+  struct Seen {
+    double x, y, trace;
+    double distance;  // squared Mahalanobis, to the nearest cluster without a track of this source; none: too far
+    Cluster* nearest;
+  };
+  std::array<Seen, plugin::Predictor::track_capacity> room;
+  assert(tracks.size() <= room.size());
+  const std::span seen(room.data(), tracks.size());
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    seen[i] = {tracks[i].x, tracks[i].y, position_trace(tracks[i]), none, nullptr};
+  const auto compare = [](Seen& one, Cluster& cluster) {
+    const double dx = cluster.position.x() - one.x, dy = cluster.position.y() - one.y, squared = dx * dx + dy * dy;
+    if (squared > furthest_pair * furthest_pair) return;
+    const double distance = squared / (0.5 * (one.trace + cluster.trace));
+    if (distance > gate || distance >= one.distance) return;
+    one.distance = distance;
+    one.nearest = &cluster;
+  };
+  for (Cluster& cluster : clusters_) {
+    for (Seen& one : seen) compare(one, cluster);
+  }
   std::uint64_t placed = 0;  // one bit for each track
   for (;;) {
-    const auto least = std::ranges::min_element(open, {}, &Pair::distance);
-    if (least == open.end() || least->distance > gate) break;
-    const auto i = static_cast<std::size_t>(least - open.begin());
-    if (clusters_[least->cluster].source == source) {  // a nearer track of this source has taken the cluster
-      *least = nearest(tracks[i], source);
+    // The track of least distance; written so that no branch depends on a comparison, which would be mispredicted.
+    double least = none;
+    std::size_t i = seen.size();
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      const bool less = seen[k].distance < least;
+      least = less ? seen[k].distance : least;
+      i = less ? k : i;
+    }
+    if (i == seen.size()) break;
+    seen[i].distance = none;
+    if (seen[i].nearest->source == source) {  // a nearer track of this source has taken the cluster
+      for (Cluster& cluster : clusters_) {
+        if (cluster.source != source) compare(seen[i], cluster);
+      }
       continue;
     }
-    clusters_[least->cluster].add(tracks[i], source);
+    seen[i].nearest->add(tracks[i], source);
     placed |= std::uint64_t{1} << i;
-    least->distance = std::numeric_limits<double>::infinity();
   }
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if ((placed >> i & 1u) == 0) clusters_.emplace_back(tracks[i], source);
@@ -355,24 +384,28 @@ void OpponentFusion::add(std::span<const regista_track> tracks, int source) {
 
 void OpponentFusion::write(std::size_t most, std::vector<regista_opponent>& out) {
   for (Cluster& each : clusters_) {
+    if (each.likelihood >= 0.0) continue;
     each.likelihood = (1.0 - each.missing) * -std::expm1(-near_place * near_place / each.trace);
   }
-  std::sort(clusters_.begin(), clusters_.end(), [](const Cluster& a, const Cluster& b) {
-    if (a.likelihood != b.likelihood) return a.likelihood > b.likelihood;
-    return a.age != b.age ? a.age < b.age : a.label < b.label;
-  });
+  const auto comes_first = [](const Cluster* a, const Cluster* b) {
+    if (a->likelihood != b->likelihood) return a->likelihood > b->likelihood;
+    return a->age != b->age ? a->age < b->age : a->label() < b->label();
+  };
+  order_.clear();
+  for (const Cluster& each : clusters_) order_.push_back(&each);
+  std::ranges::sort(order_, comes_first);
   out.clear();
-  for (const Cluster& cluster : std::span(clusters_).first(std::min(most, clusters_.size()))) {
+  for (const Cluster* const cluster : std::span(order_).first(std::min(most, order_.size()))) {
     regista_opponent& opponent = out.emplace_back();
     opponent = {};
-    opponent.label = cluster.label;
-    opponent.position[0] = cluster.position.x();
-    opponent.position[1] = cluster.position.y();
-    opponent.velocity[0] = cluster.velocity.x();
-    opponent.velocity[1] = cluster.velocity.y();
-    opponent.covariance[0] = opponent.covariance[2] = 0.5 * cluster.trace;
-    opponent.weight = std::clamp(1.0 - cluster.missing, 1e-3, 1.0);
-    opponent.age = cluster.age;
+    opponent.label = cluster->label();
+    opponent.position[0] = cluster->position.x();
+    opponent.position[1] = cluster->position.y();
+    opponent.velocity[0] = cluster->best->vx;
+    opponent.velocity[1] = cluster->best->vy;
+    opponent.covariance[0] = opponent.covariance[2] = 0.5 * cluster->trace;
+    opponent.weight = std::clamp(1.0 - cluster->missing, 1e-3, 1.0);
+    opponent.age = cluster->age;
   }
 }
 

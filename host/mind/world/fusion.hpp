@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -147,10 +148,13 @@ regista_ball fuse_ball(std::span<const Estimate> estimates);
 // the robot that has been seen since.
 class OpponentFusion {
  public:
-  OpponentFusion() { clusters_.reserve(128); }
+  OpponentFusion() {
+    clusters_.reserve(128);
+    order_.reserve(128);
+  }
   void clear() { clusters_.clear(); }
-  // Adds all tracks of one source (at most 64; numbers as in Estimate); each source once. Sources may be added in any
-  // order, but the order decides where more than one association is possible.
+  // Adds all tracks of one source (at most 64; numbers as in Estimate); each source once. They must last until clear().
+  // Sources may be added in any order, but the order decides where more than one association is possible.
   void add(std::span<const regista_track> tracks, int source);
   // Replaces `out` with at most `most` opponents. That one comes first which most likely exists and is within 1 m of
   // its place: where more are known than can play, the least sure place gives way. More sources may be added
@@ -159,26 +163,22 @@ class OpponentFusion {
 
  private:
   struct Cluster {  // the tracks of one opponent
-    Cluster(const regista_track& track, int from);
+    Cluster(const regista_track& track, int from) { add(track, from); }
     void add(const regista_track& track, int from);
-    Vector2d position;          // weighted_sum / information2
-    double trace;               // of the covariance of `position`
-    int source, label;          // of the last track; of the most certain one
-    Vector2d weighted_sum;      // of positions, by information^2
-    Vector2d velocity;          // of the most certain track
-    double information = 0.0;   // sum of 1 / trace of the covariances
-    double information2 = 0.0;  // sum of 1 / trace^2
-    double missing = 1.0;       // probability that no track of the cluster is real
-    double likelihood = 0.0;    // of an opponent near this place
-    double age, best_trace;     // the least ones
+    Vector2d position{0.0, 0.0};          // weighted_sum / information2
+    double trace = 0.0;                   // of the covariance of `position`
+    const regista_track* best = nullptr;  // the most certain track
+    int source = 0, source_of_best = 0;   // of the last track; of the most certain one
+    Vector2d weighted_sum{0.0, 0.0};      // of positions, by information^2
+    double information = 0.0;             // sum of 1 / trace of the covariances
+    double information2 = 0.0;            // sum of 1 / trace^2
+    double missing = 1.0;                 // probability that no track of the cluster is real
+    double likelihood = 0.0;              // of an opponent near this place; below 0: not computed since the last track
+    double age = std::numeric_limits<double>::infinity(), best_trace = age;  // the least ones
+    std::int32_t label() const;  // unique over all sources, if the tracks' labels are below 2^27
   };
-  struct Pair {       // of a track and the nearest cluster without a track of the same source
-    double distance;  // squared Mahalanobis; infinity: none is near enough
-    std::size_t cluster;
-  };
-  Pair nearest(const regista_track& track, int source) const;
-
   std::vector<Cluster> clusters_;
+  std::vector<const Cluster*> order_;
 };
 
 // Negative information (Hoffmann, Spranger, Göhring and Jüngel 2005): to see no ball at its estimated place refutes it.
