@@ -280,6 +280,11 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
   if (!options.context.empty() && !options.list.empty()) throw BadInput("--context and --list: one of them");
   if (options.output.empty()) throw BadInput("config draw: where to? Say -o FILE.svg");
   const config::Node document = config::load(file, config::typed_overrides(options.overrides));
+  if (config::kind_of(document) == config::DocumentKind::opening) {
+    throw config::Error(document.where(),
+                        "this is an opening, and config draw draws a team; a recording of a game that "
+                        "starts from an opening draws it: see docs/openings.md");
+  }
   config::require_kind(document, config::DocumentKind::team);
   config::Mistakes first(config::Mistakes::After::stop);
   const config::Team team = config::read_team_document(document, first).team;

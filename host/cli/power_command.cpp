@@ -36,7 +36,7 @@ constexpr auto power_notes = R"(Examples:
   regista power configs/studies/rivals.yaml
   regista power --team configs/teams/regista.yaml --team configs/teams/paper.yaml --openings configs/openings
 
-Of results it takes all pairs that are stored. Of a study that has not been played it plays a pilot of ten pairs first,
+Of results it takes all pairs that are stored. Of a study that has not been played it plays a pilot of ten pairs (--pilot) first,
 on seeds of its own, into NAME.pilot.db; the same command goes on with it, or reads it once it is there.
 For each pairing, or comparison of an experiment, it prints how far the differences of pairs spread, how many pairs find
 a mean difference of --difference with a probability of --power, and how large a difference the study's own number of
@@ -45,11 +45,12 @@ of a tournament's pairs at 5 %, of an experiment its own; both are two-sided and
 where there are several. Few pairs know the spread only roughly, so the number of pairs has an interval of 95 %.
 docs/statistics.md says how it is computed.)";
 
-constexpr int pilot_pairs = 10;
-constexpr double usual_difference = 0.5;  // goals per match
+constexpr const char* points = "points";   // the metric of a match's result
+constexpr std::uint64_t usual_pilot = 10;  // pairs
+constexpr double usual_difference = 0.5;   // goals per match
 
 struct PowerOptions : StudyOptions {
-  std::string metric, difference, power, pairs;
+  std::string metric, difference, power, pairs, pilot;
 };
 
 constexpr std::string_view elo_unit = "elo";  // of --difference: of points, 1 for a win and 0.5 for a draw
@@ -71,10 +72,12 @@ struct Asked {
         throw BadInput(fmt::format("--difference: {}; expected a number above 0, or of Elo as in 20elo",
                                    texts::in_quotes(options.difference)));
     }
+    if (!options.pilot.empty()) pilot = config::parse_whole("--pilot", options.pilot, 2, study::most_pairs);
     if (!options.pairs.empty())
       pairs = static_cast<std::int64_t>(config::parse_whole("--pairs", options.pairs, 1, study::most_pairs));
   }
   double power = 0.8;
+  std::uint64_t pilot = usual_pilot;  // pairs
   std::optional<double> difference;
   std::optional<std::int64_t> pairs;
 };
@@ -103,7 +106,6 @@ void refuse_what_says_nothing(const std::string& file, const study::PairDifferen
 
 // Returns the measure to use. usual: the measure if no option names a measure; empty: the study has no primary measure.
 std::string measure_of(const std::string& file, const PowerOptions& options, const std::string& usual) {
-  constexpr const char* points = "points";
   if (in_elo(options) && !options.metric.empty() && options.metric != points) {
     throw BadInput(fmt::format("--difference {} is a difference of points; without it --metric {}, or --metric {}",
                                options.difference, options.metric, points));
@@ -135,6 +137,10 @@ int tell(const std::string& file, const campaign::Store& store, const PowerOptio
     question.difference = (meet ? 2.0 : 1.0) * (score - 0.5);
     question.origin += fmt::format("{:.3g} points a match more than {}.", *question.difference,
                                    meet ? "the other team has" : "an arm that scores half of the points");
+  }
+  if (std::is_same_v<Plan, study::TournamentPlan> && measure == points && !has_test) {
+    question.origin += question.origin.empty() ? "" : " ";
+    question.origin += "A tournament of a fixed number of pairs tests goals; one with --sprt tests points.";
   }
   refuse_what_says_nothing(file, study, !has_test);
   output::print(options.json ? power_json(study, question) : power_text(study, question));
@@ -213,10 +219,10 @@ int play_pilot(PowerOptions options, output::OutputFiles outputs, const Asked& a
   const config::Node seed = document["seed"];
   options.set.push_back("seed=" + seed_of_pilot(seed ? seed.text() : "1"));
   if (kind.document == config::DocumentKind::tournament) {
-    options.set.push_back(fmt::format("pairs={}", pilot_pairs));
+    options.set.push_back(fmt::format("pairs={}", asked.pilot));
     if (document["test"]) options.set.push_back("test=null");
   } else {
-    options.set.push_back(fmt::format("matches={}", 2 * pilot_pairs));
+    options.set.push_back(fmt::format("matches={}", 2 * asked.pilot));
     if (document["minutes"]) options.set.push_back("minutes=null");
   }
   if (options.results.empty()) options.results = document[kind.document.name].text() + ".pilot.db";
@@ -279,6 +285,7 @@ void add_power(Command& parent, const Invocation& invocation) {
   command.take("--workers", options->workers, "N",
                "matches of the pilot at the same time; default: one for each processor core");
   add_plugin_folders(command, options->plugins);
+  command.take("--pilot", options->pilot, "N", "pairs of the pilot; default 10");
   command.take("--results", options->results, "FILE", "file of the pilot; default: the study's name with .pilot.db",
                Writes::results);
   command.flag("--json", options->json, "write the result as JSON");

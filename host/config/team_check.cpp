@@ -62,6 +62,21 @@ std::optional<std::array<double, 2>> fixed_point(const TargetRule& target) {
   return out;
 }
 
+// Warns of a robot that does not exist and would take the role after another one. (If it is the first, that is
+// refused.)
+void warn_of_missing_robots(const RoleList& list, const Node& roles, const Rules& rules, std::vector<Warning>& out) {
+  for (std::size_t i = 0; i < list.roles.size(); ++i) {
+    const std::vector<int>& robots = list.roles[i].robots;
+    const auto missing = std::ranges::find_if(robots, [&](int each) { return each > rules.team_size; });
+    if (missing == robots.end() || missing == robots.begin()) continue;
+    out.push_back(
+        {roles.elements()[i]["robot"].where(),
+         fmt::format("roles.{}.{}: is also for robot {}, a team has {} by the rules {}", list.name, list.roles[i].name,
+                     *missing, texts::plural(static_cast<std::uint64_t>(rules.team_size), "robot", "robots"),
+                     rules.name)});
+  }
+}
+
 void warn_of_shared_robots(const RoleList& list, const Node& roles, std::vector<Warning>& out) {
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
     const std::vector<int>& robots = list.roles[i].robots;
@@ -194,6 +209,7 @@ std::vector<Warning> warnings(const Team& team, const Rules& rules, const Node& 
     if (!may_act_by(team, list, {"keep_goal"})) {
       warn(fmt::format("in {} no role keeps the goal: one has the name goalkeeper, or behaviour: keep_goal", contexts));
     }
+    warn_of_missing_robots(list, roles, rules, out);
     warn_of_shared_robots(list, roles, out);
     warn_of_groups(list, roles, rules.team_size, out);
     warn_of_targets(list, roles, carpet, out);

@@ -74,8 +74,9 @@ void check(const Tournament& tournament, const Node& document, Mistakes& mistake
   const bool ends_by_itself = test && test->elo;
   if (!tournament.pairs && !ends_by_itself) {
     mistakes.add(Error(document.where(), test ? "pairs: how many at most? Equal teams would play on for ever"
-                                              : "pairs: how many are played? Or name a test that ends by itself: "
-                                                "`test: {elo: [0, 20]}`"),
+                                              : "pairs: how many are played? Or name a test that ends by itself, "
+                                                "`test: {elo: [0, 20]}`, or give it a time: `regista run FILE --until "
+                                                "08:00`"),
                  "pairs");
   }
   if (test && !ends_by_itself) {

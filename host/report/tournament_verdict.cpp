@@ -40,12 +40,15 @@ std::string interval_clause(const Strength& known) {
   return fmt::format(" (95 % interval {} to {})", rounded(low, margin), rounded(high, margin));
 }
 
+// "beats" is for a number of pairs that was fixed beforehand.
+const char* verb_of(const TournamentView& view) { return view.plan.pairs_before.empty() ? " beats " : " is ahead of "; }
+
 Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
   const Strength known = *strength(view.course, meeting);
   const double goals = meeting.goals_of_pairs.mean(),
                margin = known.goals_t ? half_width(known.goals_t->interval) : 0.0;
   return team(view, side > 0 ? meeting.pairing.first : meeting.pairing.second)
-         << " beats " << team(view, side > 0 ? meeting.pairing.second : meeting.pairing.first)
+         << verb_of(view) << team(view, side > 0 ? meeting.pairing.second : meeting.pairing.first)
          << fmt::format(" by {} goals a {}{}.", rounded(std::abs(goals), margin), game_word(view.plan),
                         interval_clause(known));
 }
@@ -158,8 +161,7 @@ TournamentVerdict of_two(const TournamentView& view) {
   } else {
     out.sentence = Sentence("Not decided between ") << both << ". " << what_more_would_find(view, meeting, out.beside);
     const Strength known = *strength(view.course, meeting);
-    // With few pairs, Student's interval may exclude 0 although the sign-flip test, which decides, finds nothing.
-    if (known.goals_t && known.goals_t->interval.contains(0.0)) {
+    if (known.goals_t) {
       const double margin = half_width(known.goals_t->interval);
       out.beside.push_back(Sentence("With 95 % confidence ")
                            << team(view, 0)
@@ -167,6 +169,11 @@ TournamentVerdict of_two(const TournamentView& view) {
                                           rounded(known.goals_t->interval.low, margin),
                                           rounded(known.goals_t->interval.high, margin), game_word(view.plan))
                            << team(view, 1) << ".");
+      if (!known.goals_t->interval.contains(0.0)) {
+        out.beside.push_back(
+            "This interval excludes 0, but it supposes that goal differences of pairs follow a normal law. The sign "
+            "flips suppose no law, and they decide.");
+      }
     }
   }
   out.beside.push_back(

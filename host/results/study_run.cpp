@@ -182,6 +182,9 @@ class LivePage {
 
 std::string resume_line(const campaign::Options& options, const Invocation& invocation) {
   std::vector<std::string> words = invocation.arguments;
+  // `--until 08:00` may mean another day when the line is typed.
+  if (const auto until = std::ranges::find(words, "--until"); options.end_of_time && until < words.end() - 1)
+    *(until + 1) = campaign::in_words(*options.end_of_time);
   if (!options.resume) words.push_back("--resume");
   return process::shell_line(words);
 }

@@ -83,6 +83,10 @@ class Names(program.ShippedCase):
         self.assertRegex(self.refused("config", "show", "qqqqqqqq"), "no such file; shipped teams: .*paper")
         self.write("mine.yaml", "extends: papr\nteam: mine\n")
         self.assertIn('no such file; nearest: "paper"', self.refused("config", "check", "mine.yaml"))
+        self.assertIn("no such file; nearest: corner_crowd_left, corner_crowd_right\n",
+                      self.refused("match", "paper", "paper", "--opening", "corner_crowd"))
+        self.assertIn("this is an opening, and config draw draws a team",
+                      self.refused("config", "draw", "corner_crowd_left", "-o", "scene.svg"))
         self.assertIn("there is no folder configs/teams; shipped documents go by their names: paper",
                       self.refused("config", "show", "configs/teams/paper.yaml"))
 

@@ -65,6 +65,9 @@ class PowerOfTournaments(tournament.Tournament):
         self.assertEqual(self.rows("tournament.pilot.db"), rows)
         self.assertFalse((self.folder / "tournament.db").exists())
         self.assertIn("was begun with something else", self.refused(*words, "--limit", 5))
+        more = json.loads(self.succeed(*words, "--pilot", 12, "--results", "larger.pilot.db"))
+        self.assertEqual(more["comparisons"][0]["pairs"], 12)
+        self.assertIn("tests goals", self.succeed("power", "tournament.pilot.db", "--difference", "20elo"))
 
     def test_bad_input(self):
         self.play(pairs=2)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sender plugin around algorithm.hpp: finds out whether this robot has the fast role; takes along what offers fit.
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,9 @@ struct FixedRate {
     schedule = fresh;
     team_size = static_cast<int>(environment->team_size);
     for (const regista::Role& role : environment.roles()) is_fast.push_back(fast_role == role.name);
+    const bool asked = !fast_role.empty() && fast_role != FixedRate{}.fast_role;
+    if (asked && std::ranges::find(is_fast, true) == is_fast.end())
+      throw std::invalid_argument("fixed_rate: fast_role: no list of roles has \"" + fast_role + "\"");
     offers.reserve(16);
     chosen.reserve(16);
   }

@@ -262,6 +262,7 @@ TEST(FixedRatePlugin, TheFastRoleIsKnownByName) {
   EXPECT_EQ(packets_as("supporter", "striker"), 10);
   EXPECT_EQ(packets_as("supporter", "supporter"), 20);
   EXPECT_EQ(packets_as("striker", ""), 10);
+  EXPECT_ANY_THROW(packets_as("striker", "strikr"));
 }
 
 TEST(FixedRatePlugin, ReserveIsOfTheShareOfAMatch) {

@@ -105,6 +105,13 @@ TEST(TeamWarnings, TwoRolesForOneRobot) {
   EXPECT_EQ(of_third("name: libero, robot: 2, target: {at: centre}"), std::vector<std::string>{});
 }
 
+TEST(TeamWarnings, ASecondRobotThatTheTeamLacks) {
+  EXPECT_EQ(of_third("name: libero, robot: [2, 12], target: {at: centre}"),
+            std::vector<std::string>{"t.yaml:10:29: warning: roles.usual.libero: is also for robot 12, a team has 2 "
+                                     "robots by the rules spl2023"});
+  EXPECT_EQ(of_third("name: libero, robot: [2, 1], target: {at: centre}"), std::vector<std::string>{});
+}
+
 TEST(TeamWarnings, TargetsOffTheField) {
   const auto off = [](int column, const char* key, const char* what) {
     return std::vector<std::string>{
