@@ -266,7 +266,7 @@ constexpr auto view_examples = R"(Examples:
 
 The page needs nothing but a browser. --row shows a match of a study: it uses the recording of that match, or plays it
 again, and writes the page NAME.replays/ROW.html beside the results NAME.db. --at 7:42, or 462 (seconds), is the time since the match began, as under the field
-of the page; 1/6:55 is the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
+of the page; 1/6:51 would be the clock of the first half, 2/3:10 that of the second. --robot 3 is the home team's; its picture
 shows the world as the robot believed it, its tasks, the utilities it chose by, and what its plugins drew and logged.
 --layer trail, or --layer "my_walk: trail" (plugin and layer), leaves out all other drawings. Plugins draw layers for
 those who write them; the shipped ones draw none.)";

@@ -87,8 +87,12 @@ struct Reader {
   }
 
   void operator()(const Section& section) const {
-    if (node.kind() != Node::Kind::map) refuse_kind(node, what, "a map");
-    read(section.open(), node, what, mistakes);
+    const Map map = section.open();
+    if (node.kind() != Node::Kind::map) {
+      const bool is_plugin = node.kind() == Node::Kind::scalar && !map.plugin_kind.empty();
+      refuse_kind(node, what, is_plugin ? fmt::format("{{plugin: {}}}", node.text()) : "a map");
+    }
+    read(map, node, what, mistakes);
   }
 
   void operator()(const List& list) const {

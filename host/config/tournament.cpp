@@ -72,7 +72,7 @@ void check(const Tournament& tournament, const Node& document, Mistakes& mistake
           tournament.teams.size() - 1);
   }
   const bool ends_by_itself = test && test->elo;
-  if (!tournament.pairs && !ends_by_itself) {
+  if (!tournament.pairs && !ends_by_itself && !mistakes.doubtful("pairs")) {
     mistakes.add(Error(document.where(), test ? "pairs: how many at most? Equal teams would play on for ever"
                                               : "pairs: how many are played? Or name a test that ends by itself, "
                                                 "`test: {elo: [0, 20]}`, or give it a time: `regista run FILE --until "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <sstream>
 
 #include "recording/moment_svg.hpp"
 #include "texts/message.hpp"
@@ -125,7 +126,11 @@ Panel why(const RecordedMatch& match, const RecordedMoment& moment, const RobotN
   };
   const auto context_lines = [&](const RecordedContext& context, const char* how) {
     line("small", fmt::format("context {}: {} {}", context.name, context.plugin, how));
-    if (!context.parameters.empty()) line("small", "    " + context.parameters);
+    // What is off comes last, because a long line is cut.
+    std::string on, off;
+    std::istringstream words(context.parameters);
+    for (std::string word; words >> word;) (word.ends_with("=false") ? off : on) += ' ' + word;
+    if (!context.parameters.empty()) line("small", "   " + on + off);
   };
   if (!moment.decision) {
     line("title", fmt::format("{} {}", team.name, robot.number));

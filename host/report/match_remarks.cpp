@@ -249,7 +249,7 @@ std::string stopped_sentence(const study::ExperimentPlan& plan) {
 
 std::string more_pairs_sentence(const std::string& before) {
   return fmt::format(
-      "It had {} pairs before it was given more. A p value and an interval hold for a number that was fixed "
+      "Before it was given more it had so many pairs: {}. A p value and an interval hold for a number that was fixed "
       "beforehand: adding pairs until the result pleases finds differences that do not exist.",
       before);
 }

@@ -216,7 +216,7 @@ class Teams(BadInput):
         self.assert_team_refused("assigner:", "asigner:",
                                  'unknown key "asigner"; nearest: "assigner"; known: team, title, predictors, contexts, '
                                  "positioner, tasks, utility, assigner, sender, roles, behaviours, behaviour_without_role, "
-                                 "teammates_forgotten_after")
+                                 "teammates_forgotten_after, own")
 
 
 if __name__ == "__main__":

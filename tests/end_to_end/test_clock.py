@@ -53,7 +53,7 @@ class Clock(tournament.Tournament):
         self.assertEqual(on["pairs_before"], str(first))
         # Its number of pairs does not count as fixed beforehand, and nothing says so.
         text = self.succeed("report", "tournament.db")
-        self.assertIn(f"It had {first} pairs before it was given more.", text)
+        self.assertIn(f"Before it was given more it had so many pairs: {first}.", text)
         self.assertIn(f"The clock stopped it after {second} of {self.NEVER_DONE} pairs.\n", text)
         self.assertNotIn("fixed beforehand, unless", text)
         self.assertIn(f"it has {second} pairs already", self.refused("resume", "tournament.db", "--pairs", second))

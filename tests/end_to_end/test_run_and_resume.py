@@ -55,7 +55,7 @@ class RunAndResume(tournament.Tournament):
         self.assertEqual(self.rows("small_one.db"), self.rows("whole.db"))
         self.assertTrue((self.folder / "small_one.html").exists())
         text = self.succeed("report", "small_one.db")
-        self.assertIn("It had 2 pairs before it was given more.", text)
+        self.assertIn("Before it was given more it had so many pairs: 2.", text)
         # Nothing is left to be played.
         self.assertEqual(self.succeed("resume", "small_one.db", "--quiet", "--pairs", 4), text)
 

@@ -58,8 +58,12 @@ struct FixedRate {
     team_size = static_cast<int>(environment->team_size);
     for (const regista::Role& role : environment.roles()) is_fast.push_back(fast_role == role.name);
     const bool asked = !fast_role.empty() && fast_role != FixedRate{}.fast_role;
-    if (asked && std::ranges::find(is_fast, true) == is_fast.end())
-      throw std::invalid_argument("fixed_rate: fast_role: no list of roles has \"" + fast_role + "\"");
+    if (asked && std::ranges::find(is_fast, true) == is_fast.end()) {
+      std::string known;
+      for (const regista::Role& role : environment.roles())
+        known += (known.empty() ? "" : ", ") + std::string(role.name);
+      throw std::invalid_argument("fixed_rate: fast_role: no list of roles has \"" + fast_role + "\"; known: " + known);
+    }
     offers.reserve(16);
     chosen.reserve(16);
   }

@@ -235,7 +235,7 @@ TEST(Team, WhatIsRefused) {
       {5, "", "t.yaml:1:1: missing key \"sender\""},
       {2, "predictors: {self: {plugin: a}}", "t.yaml:2:13: missing key \"ball\" in predictors"},
       {4, "assigner: {params: {}}", "t.yaml:4:11: missing key \"plugin\" in assigner"},
-      {4, "assigner: greedy", "t.yaml:4:11: assigner: \"greedy\"; expected a map"},
+      {4, "assigner: greedy", "t.yaml:4:11: assigner: \"greedy\"; expected {plugin: greedy}"},
       {4, "assigner: {plugin: greedy, param: {}}",
        "t.yaml:4:28: unknown key \"param\" in assigner; nearest: \"params\"; known: plugin, file, params"},
       {4, "assigner: {plugin: greedy, params: [1]}", "t.yaml:4:36: assigner.params: a list; expected a map"},
