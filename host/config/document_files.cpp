@@ -93,6 +93,7 @@ std::string neighbour(const fs::path& file, bool is_document) {
     }
   }
   names.insert(names.end(), teams.begin(), teams.end());
+  if (asked == name) names.emplace_back("openings");  // the shipped folder
   std::ranges::sort(names);
   const std::string_view near = texts::nearest(asked, names);
   if (!near.empty() && near != asked) return fmt::format("; nearest: {}", texts::in_quotes(near));

@@ -25,6 +25,7 @@
 #include "plugin/fatal_signal.hpp"
 #include "study/experiment_plan.hpp"
 #include "study/prediction/forecast.hpp"
+#include "study/tournament_plan.hpp"
 #include "study/tuning/tuning_plan.hpp"
 #include "texts/message.hpp"
 
@@ -174,9 +175,15 @@ void check_team(const config::Node& document, const Profiles& by, const plugin::
   std::ranges::move(scenes_check(plan), std::back_inserter(warnings));
 }
 
-void check(const config::Node& document, const Profiles& by, const plugin::Catalogue& catalogue,
+void check(const config::Node& written, const Profiles& by, const plugin::Catalogue& catalogue,
            std::span<const StudyCheck> studies, DocumentCheck& out, config::Mistakes& mistakes) {
   using config::DocumentKind;
+  config::Node document = written;
+  if (written[DocumentKind::tournament.name] && !written["pairs"] && until_the_clock(written)["pairs"]) {
+    document = until_the_clock(written);
+    out.warnings.push_back(
+        {written.where(), "pairs: no number of them; regista run plays it with --until or --minutes"});
+  }
   const auto study = std::ranges::find_if(
       studies, [&](const StudyCheck& each) { return static_cast<bool>(document[each.document.name]); });
   const DocumentKind& kind = study != studies.end() ? study->document : config::kind_of(document);

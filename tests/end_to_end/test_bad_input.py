@@ -6,8 +6,8 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
-           "--quiet, --log, --processor-seconds, --wall-seconds, --in-process, --verbose")
+OPTIONS = ("--help, --seed, --rules, --robot, --common, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
+           "--quiet, --log, --processor-seconds, --wall-seconds, --in-process and 1 more")
 
 
 def processor_seconds():
@@ -102,7 +102,7 @@ class CommandLine(BadInput):
     def test_kind_of_schema(self):
         self.assert_refused(("config", "schema", "robots"),
                             'config schema: unknown kind of document "robots"; nearest: "robot"; '
-                            "known: rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, tuning")
+                            "known: rules, robot, disturbance, opening, team, habits, predictor_study, tournament, experiment, tuning")
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '
