@@ -319,7 +319,7 @@ int draw(const ConfigDrawOptions& options, const output::OutputFiles& outputs) {
 
 void add_config_check(Command& parent, const Invocation& invocation) {
   Command& command =
-      parent.add("check", "say what is wrong with rules, robots, disturbances, openings, habits, teams and studies");
+      parent.add("check", "say what is wrong with rules, robots, disturbances, openings, teams and studies");
   const auto options = std::make_shared<ConfigCheckOptions>();
   command.take("files", options->files, "FILE", "documents of any kind", Reads::documents);
   command.take("--rules", options->rules, "FILE",

@@ -58,17 +58,6 @@ std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& failed
   return out;
 }
 
-// Returns those of the names that begin with `asked`, or nearly so; at most four.
-std::vector<std::string> beginning_with(const std::string& asked, const std::vector<std::string>& names) {
-  std::vector<std::string> out;
-  for (const std::string& each : names) {
-    const std::string beginning = each.substr(0, asked.size());
-    const bool near = beginning == asked || !texts::nearest(asked, {&beginning, 1}).empty();
-    if (near && out.size() < 4) out.push_back(each);
-  }
-  return out;
-}
-
 // Returns `; nearest: "b.yaml"` if the folder has a file with a similar name, or a shipped document has a similar name.
 // Else the names that begin like it. Else the shipped teams for the name of a document, because most names are of
 // teams.
@@ -97,8 +86,11 @@ std::string neighbour(const fs::path& file, bool is_document) {
   std::ranges::sort(names);
   const std::string_view near = texts::nearest(asked, names);
   if (!near.empty() && near != asked) return fmt::format("; nearest: {}", texts::in_quotes(near));
-  const std::vector<std::string> begun = is_name(file) ? beginning_with(asked, names) : std::vector<std::string>();
-  if (!begun.empty()) return "; nearest: " + texts::join(begun);
+  std::vector<std::string> begun;  // names that begin with all but the last letter of what was asked
+  for (const std::string& each : names) {
+    if (is_name(file) && begun.size() < 4 && each.starts_with(asked.substr(0, asked.size() - 1))) begun.push_back(each);
+  }
+  if (asked.size() > 2 && !begun.empty()) return "; nearest: " + texts::join(begun);
   const bool may_be_team = is_document && is_name(file) && !teams.empty();
   return may_be_team ? fmt::format("; shipped teams: {}", texts::join(teams)) : "";
 }

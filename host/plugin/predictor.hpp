@@ -2,11 +2,8 @@
 // The calls of a predictor, with checks of its answers.
 #pragma once
 
-#include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -65,9 +62,10 @@ inline bool clearly_definite(const double (&place)[3]) {
   return (place[0] > 0.0) & (determinant > margin * place[0] * place[2]);
 }
 
-// Returns whether the matrix [P C; C^T Q] of 2 x 2 blocks is clearly positive definite: P is (see above), and so is its
-// Schur complement Q - C^T P^-1 C. The code multiplies the complement by det P, to avoid a division.
-[[gnu::noinline]] inline bool clearly_definite_by_complement(const double (&p)[3], const double (&r)[7]) {
+// Like the function above, for the covariance of a motion, whose velocity part may be zero. The matrix of 2 x 2 blocks
+// [P C; C^T Q] is positive definite if and only if P and the Schur complement Q - C^T P^-1 C are positive definite. The
+// code multiplies the complement by det P, to avoid a division.
+inline bool clearly_definite(const double (&p)[3], const double (&r)[7]) {
   constexpr double margin = 1e-9;
   const double determinant = p[0] * p[2] - p[1] * p[1];
   // U = adj(P) C and S = det(P) Q - C^T U
@@ -76,23 +74,13 @@ inline bool clearly_definite(const double (&place)[3]) {
   const double s00 = determinant * r[4] - (r[0] * u00 + r[2] * u10);
   const double s01 = determinant * r[5] - (r[0] * u01 + r[2] * u11);
   const double s11 = determinant * r[6] - (r[1] * u01 + r[3] * u11);
-  return clearly_definite(p) & (s00 > margin * determinant * r[4]) & (s00 * s11 - s01 * s01 > margin * s00 * s11);
-}
-
-// Like clearly_definite() above, for the covariance of a motion, whose velocity part may be zero. Most tracks need only
-// the first test, because their place and velocity are little correlated: the product of the least eigenvalues of P and
-// Q (Gershgorin's bound) exceeds the squared norm of C.
-inline bool clearly_definite(const double (&p)[3], const double (&r)[7]) {
-  const double place = std::min(p[0], p[2]) - std::abs(p[1]), velocity = std::min(r[4], r[6]) - std::abs(r[5]);
-  const double shared = r[0] * r[0] + r[1] * r[1] + (r[2] * r[2] + r[3] * r[3]);
-  const bool finite = p[0] + p[2] + r[4] + r[6] <= std::numeric_limits<double>::max();
-  if ((place > 0.0) & (velocity > 0.0) & (shared < 0.99 * (place * velocity)) & finite) [[likely]]
-    return true;
   // The velocity of a body at rest is certain: C and Q are 0 or -0. A test of bits needs the fewest instructions.
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   std::uint64_t any = 0;
   for (const double value : r) any |= std::bit_cast<std::uint64_t>(value);
-  return (any & ~sign) == 0 ? clearly_definite(p) : clearly_definite_by_complement(p, r);
+  const bool still = (any & ~sign) == 0;
+  return clearly_definite(p) &
+         (still | ((s00 > margin * determinant * r[4]) & (s00 * s11 - s01 * s01 > margin * s00 * s11)));
 }
 
 inline Covariance examine_covariance(const double (&p)[3]) {

@@ -41,15 +41,13 @@ std::string interval_clause(const Strength& known) {
   return fmt::format(" (95 % interval {} to {})", rounded(low, margin), rounded(high, margin));
 }
 
-// "beats" is for a number of pairs that was fixed beforehand.
-const char* verb_of(const TournamentView& view) { return view.plan.pairs_before.empty() ? " beats " : " is ahead of "; }
-
 Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
+  const char* const verb = view.plan.pairs_before.empty() ? " beats " : " is ahead of ";  // the number was not fixed
   const Strength known = *strength(view.course, meeting);
   const double goals = meeting.goals_of_pairs.mean(),
                margin = known.goals_t ? half_width(known.goals_t->interval) : 0.0;
   return team(view, side > 0 ? meeting.pairing.first : meeting.pairing.second)
-         << verb_of(view) << team(view, side > 0 ? meeting.pairing.second : meeting.pairing.first)
+         << verb << team(view, side > 0 ? meeting.pairing.second : meeting.pairing.first)
          << fmt::format(" by {} goals a {}{}.", rounded(std::abs(goals), margin), game_word(view.plan),
                         interval_clause(known));
 }

@@ -6,8 +6,8 @@ import unittest
 
 import program
 
-OPTIONS = ("--help, --seed, --rules, --robot, --common, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
-           "--quiet, --log, --processor-seconds, --wall-seconds, --in-process and 1 more")
+OPTIONS = ("--help, --seed, --rules, --robot, --disturbance, --home-disturbance, --away-disturbance, --opening, --set, --limit, --from, --row, --plugins, --json, --decisions, --record, --metrics, --force, "
+           "--quiet, --log, --processor-seconds, --wall-seconds, --in-process, --verbose")
 
 
 def processor_seconds():
@@ -102,7 +102,7 @@ class CommandLine(BadInput):
     def test_kind_of_schema(self):
         self.assert_refused(("config", "schema", "robots"),
                             'config schema: unknown kind of document "robots"; nearest: "robot"; '
-                            "known: rules, robot, disturbance, opening, team, habits, predictor_study, tournament, experiment, tuning")
+                            "known: rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, tuning")
 
     def test_control_characters_stay_in_one_line(self):
         self.assert_refused(("match\n\x1b[31m",), r'unknown command "match\n\x1b[31m" in regista; '
@@ -216,7 +216,7 @@ class Teams(BadInput):
         self.assert_team_refused("assigner:", "asigner:",
                                  'unknown key "asigner"; nearest: "assigner"; known: team, title, predictors, contexts, '
                                  "positioner, tasks, utility, assigner, sender, roles, behaviours, behaviour_without_role, "
-                                 "teammates_forgotten_after, own")
+                                 "teammates_forgotten_after")
 
 
 if __name__ == "__main__":

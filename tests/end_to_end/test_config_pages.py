@@ -232,7 +232,7 @@ class Reference(program.Case):
         self.assertEqual(re.findall(r"^## (\w+)$", page, re.MULTILINE), ["robot", "opening"])
         done = self.run_program("config", "reference", "robots")
         self.assertEqual(done.stderr, 'regista: config reference: unknown kind of document "robots"; nearest: "robot"; '
-                                      "known: rules, robot, disturbance, opening, team, habits, predictor_study, tournament, experiment, "
+                                      "known: rules, robot, disturbance, opening, team, predictor_study, tournament, experiment, "
                                       "tuning\n")
 
 

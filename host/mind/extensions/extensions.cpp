@@ -4,6 +4,7 @@
 #include <regista/extensions/known_size.hpp>
 
 #include <cstring>
+#include <utility>
 
 namespace regista::mind {
 namespace {
@@ -106,9 +107,8 @@ const void* InstanceExtensions::find(std::string_view id) const {
 }
 
 void InstanceExtensions::begin_call() {
-  if (counted_in_ == owner_->decision_) return;
-  counted_in_ = owner_->decision_;
-  log_use_.lines = draw_use_.shapes = draw_use_.points = 0;
+  if (std::exchange(counted_in_, owner_->decision_) != owner_->decision_)
+    log_use_.lines = draw_use_.shapes = draw_use_.points = 0;
 }
 
 const InstanceExtensions& Extensions::open(const plugin::Found& plugin, std::span<const int> metrics) {

@@ -56,17 +56,6 @@ constexpr double never_fits = std::numeric_limits<double>::infinity();
 constexpr double least_believed_weight = 0.5;  // tracks of lower weight are not matched
 constexpr double matched_for = 5.0;            // s; assumption
 
-// Returns the position's covariance of a robot or a track.
-Eigen::Matrix2d place_covariance(const auto& estimate) {
-  Eigen::Matrix2d out;
-  out << estimate.covariance[0], estimate.covariance[1], estimate.covariance[1], estimate.covariance[2];
-  return out;
-}
-
-Eigen::Vector2d gap_between(const regista_robot& robot, const regista_track& track) {
-  return {track.x - robot.pose[0], track.y - robot.pose[1]};
-}
-
 // Written out, because the small matrices of Eigen would be stored in halves and loaded whole, which stalls.
 double misfit(const regista_robot& robot, const regista_track& track) {
   const double dx = track.x - robot.pose[0], dy = track.y - robot.pose[1];
@@ -244,10 +233,14 @@ void match_teammates(std::span<const regista_track> seen, std::span<const regist
 }
 
 void sharpen(regista_robot& robot, const regista_track& seen) {
+  const auto place_covariance = [](const auto& estimate) {
+    const double xy = estimate.covariance[1];
+    return Eigen::Matrix2d{{estimate.covariance[0], xy}, {xy, estimate.covariance[2]}};
+  };
   const Eigen::Matrix2d before = place_covariance(robot), spread = before + place_covariance(seen);
   if (spread.determinant() <= 0.0) return;
   const Eigen::Matrix2d gain = before * spread.inverse();
-  const Eigen::Vector2d moved = gain * gap_between(robot, seen);
+  const Eigen::Vector2d moved = gain * Vector2d(seen.x - robot.pose[0], seen.y - robot.pose[1]);
   const Eigen::Matrix2d after = before - gain * before;
   robot.pose[0] += moved.x();
   robot.pose[1] += moved.y();

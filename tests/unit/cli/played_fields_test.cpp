@@ -34,7 +34,6 @@ using Json = nlohmann::ordered_json;
 constexpr auto settings = R"(
 rules: rules.yaml
 robot: robot.yaml
-common: habits.yaml
 openings: [scenes, other.yaml]
 limit: 12.5
 set: {rules.team_size: 5}
