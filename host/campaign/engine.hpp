@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Plays the matches of a schedule in parallel, each in a worker. Stored matches are not played again. The caller gets
 // results in the order of the schedule, so reports do not depend on the number of workers. The schedule is a function,
-// not a list, and the engine begins only matches near the first undecided match. So the memory does not grow with the
-// number of matches.
+// and only matches near the first undecided one are begun, so memory does not grow with their number.
 #pragma once
 
 #include <chrono>

@@ -227,8 +227,7 @@ struct Connection {
   pid_t coordinator;
 };
 
-// Plays the match in the copy, which is the worker. The copy ends by _exit, without destructors, because these belong
-// to the server.
+// Plays the match in the copy, which is the worker and ends by _exit: the destructors belong to the server.
 [[noreturn]] void play_in_copy(const Job& job, PreparedTeams::Match match, const WorkerFiles& files,
                                const Connection& connection, const std::string& program) {
   ::close(connection.socket.number);

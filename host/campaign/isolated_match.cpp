@@ -221,8 +221,7 @@ class IsolatedMatch {
     const auto [home, away] = waited;
     if (home + away <= limits_.match_wall_seconds) return;
     const match::Side slower = home >= away ? match::Side::home : match::Side::away;
-    // If each side took more than a quarter of the waiting, the machine may be the cause, and a single such failure
-    // blames nobody.
+    // If each side took more than a quarter of the waiting, it may be the machine: one such failure blames nobody.
     constexpr double most_of_it = 0.75;
     const bool both = std::max(home, away) < most_of_it * (home + away);
     throw Fault({static_cast<int>(match::index(slower)), "", "", 0, 0,

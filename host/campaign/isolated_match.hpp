@@ -30,8 +30,7 @@ struct Fault : std::runtime_error {
 // Plays `setup` as match::play(setup, plans) does, with separation, limits and inspection of `job`, in copies of this
 // process, which must have no threads and no loaded plugin. `trail` receives the answers of plugins if the job has a
 // trail; `note` the process groups, and the first try of a confined mind to reach outside; `kept` the variables of
-// plugin files that confined minds have changed, one line, usually empty. Throws Fault, and the exceptions of
-// match::play.
+// plugin files that confined minds have changed, one line. Throws Fault, and what match::play throws.
 match::Result play_isolated(match::Setup setup, const std::array<const mind::TeamPlan*, 2>& plans, const Job& job,
                             std::optional<TrailWriter>& trail, WorkerNote& note, std::string& kept);
 

@@ -55,8 +55,7 @@ inline constexpr int answer_descriptor = 3, note_descriptor = 4, trail_descripto
 // The mark before the answer. The coordinator ignores bytes before the mark, which a plugin wrote by accident.
 inline constexpr std::string_view answer_mark = "\nregista-answer:";
 
-// The hidden command that a worker runs. The worker reads a Job from standard input and writes an Answer to
-// answer_descriptor.
+// The hidden command that a worker runs. It reads a Job from standard input, and writes an Answer to answer_descriptor.
 inline constexpr const char* worker_command = "play-one";
 
 // The files for a worker, as descriptors of the process that starts the worker; -1: no file. job: for standard input.

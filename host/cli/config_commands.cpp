@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `regista config check`, `show`, `diff`, `schema`, `reference`, `copy` and `draw`: commands for documents and their
-// kinds.
+// `regista config check`, `show`, `diff`, `schema`, `reference`, `copy` and `draw`: commands for documents.
 #include <fmt/format.h>
 
 #include <algorithm>

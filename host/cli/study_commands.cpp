@@ -291,8 +291,7 @@ int play_tuning(const std::string& plan, const TuneOptions& options, output::Out
         std::make_unique<report::TuningReport>(study::tuning_plan_from_json(results::stored_plan(store)), out_of_time);
   }
   try {
-    // If this run plays no match itself, the search ends where the stored search ended, not when the time of this run
-    // is over.
+    // If this run plays no match itself, the search ends where the stored one ended, not when this run's time is over.
     const bool plays = options.plays != campaign::Options::Plays::nothing_more;
     clock =
         plays ? study::search_clock(store, report->plan(), options.end_of_time) : study::stored_end_of_search(store);

@@ -59,8 +59,7 @@ std::vector<fs::path> entries_of(const fs::path& folder, std::error_code& failed
 }
 
 // Returns `; nearest: "b.yaml"` if the folder has a file with a similar name, or a shipped document has a similar name.
-// Else the names that begin like it. Else the shipped teams for the name of a document, because most names are of
-// teams.
+// Else the names that begin like it; else, for a document, the shipped teams, because most names are of teams.
 std::string neighbour(const fs::path& file, bool is_document) {
   const std::string asked = file.filename().string(), name = file.stem().string();
   std::vector<std::string> names, teams;

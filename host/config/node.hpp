@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A YAML document as a tree of nodes, and functions that write a tree as YAML. Each node has its place in the file. A
-// node is immutable and cheap to copy. A reference into a node is valid while a copy of this node, or of a node around
-// this node, exists.
+// A YAML document as a tree of nodes, and functions that write it as YAML. Each node has its place in the file. Nodes
+// are immutable and cheap to copy. A reference into a node is valid while a copy of it or of one around it exists.
 #pragma once
 
 #include <memory>

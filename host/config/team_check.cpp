@@ -62,8 +62,7 @@ std::optional<std::array<double, 2>> fixed_point(const TargetRule& target) {
   return out;
 }
 
-// Warns of a robot that does not exist and would take the role after another one. (If it is the first, that is
-// refused.)
+// Warns of a robot that does not exist and would take the role after another one. (A first one is refused.)
 void warn_of_missing_robots(const RoleList& list, const Node& roles, const Rules& rules, std::vector<Warning>& out) {
   for (std::size_t i = 0; i < list.roles.size(); ++i) {
     const std::vector<int>& robots = list.roles[i].robots;

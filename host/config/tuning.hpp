@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The values of a tuning document: the team, its opponents, the tuned numbers, the objective, and the number of
-// matches.
+// The values of a tuning document: team, opponents, tuned numbers, objective, and number of matches.
 #pragma once
 
 #include <array>

@@ -12,10 +12,10 @@
 #include "match/body.hpp"
 #include "match/chance.hpp"
 #include "match/disturbances.hpp"
+#include "match/metrics.hpp"
 #include "match/placement.hpp"
 #include "match/radio.hpp"
 #include "match/referee.hpp"
-#include "match/sampling.hpp"
 #include "match/sensing.hpp"
 
 namespace regista::match {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "match/sampling.hpp"
 #include "plugin/description.hpp"
 
 namespace regista::match {

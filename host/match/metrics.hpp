@@ -26,6 +26,17 @@
 
 namespace regista::match {
 
+constexpr int samples_per_second = 10;  // of the metrics
+constexpr std::uint32_t steps_per_sample = physics_steps_per_second / samples_per_second;
+
+constexpr double seconds(int samples) { return static_cast<double>(samples) / samples_per_second; }
+
+// Return sum / count and part / whole; nothing if the divisor is 0.
+constexpr std::optional<double> mean(double sum, int count) {
+  return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+constexpr std::optional<double> share(int part, int whole) { return mean(part, whole); }
+
 // The numbers that the plugins of one team report about a match. A plugin declares how the reports of all robots are
 // combined (see <regista/extensions/metric.h>). Names have the form "<plugin>.<metric>".
 struct PluginMetrics {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <utility>
 
+#include "match/metrics.hpp"
 #include "match/physics_world.hpp"
-#include "match/sampling.hpp"
 
 namespace regista::match {
 namespace {

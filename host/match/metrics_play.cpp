@@ -5,8 +5,8 @@
 #include <bit>
 #include <cmath>
 
+#include "match/metrics.hpp"
 #include "match/placement.hpp"
-#include "match/sampling.hpp"
 
 namespace regista::match {
 

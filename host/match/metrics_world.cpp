@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "match/sampling.hpp"
+#include "match/metrics.hpp"
 
 namespace regista::match {
 

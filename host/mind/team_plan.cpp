@@ -17,8 +17,7 @@ TeamPlan::TeamPlan(config::Team team, config::Rules rules, config::Robot robot, 
     : team_(std::move(team)), rules_(std::move(rules)), robot_(std::move(robot)) {
   const auto part = [&](const config::PluginUse& use, int kind, unsigned subject = 0) {
     Part out{nullptr, {}, use};
-    // A plugin without a name, or at a location of Mistakes::doubt_place(), belongs to a mistake that was reported
-    // before.
+    // A plugin without a name, or at a location of Mistakes::doubt_place(), belongs to a mistake reported before.
     if (use.plugin.empty() || mistakes.doubtful_place(use.where)) return out;
     mistakes.attempt("", [&] {
       out.found = &catalogue.find(use, kind, subject);

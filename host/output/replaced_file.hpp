@@ -33,8 +33,7 @@ class ReaderGone : public WriteError {
   using WriteError::WriteError;
 };
 
-// Call this function before opening any file. Otherwise a file could become a standard stream that was closed when the
-// program started.
+// Call it before opening any file, or a file could become a standard stream that was closed at the start.
 void occupy_standard_streams();
 
 // Writes all of `text` to standard output and flushes it. Throws ReaderGone, WriteError.

@@ -210,8 +210,7 @@ class alignas(64) Instance {
   std::unique_ptr<AnswerBuffers> own_rooms_;  // buffers of this instance; null if the caller has buffers
 };
 
-// The base of the calls of one kind: an instance and its call table. The constructor throws Failure for a plugin of
-// another kind.
+// The base of the calls of one kind: an instance and its call table. Its constructor throws Failure for another kind.
 template <class Table, int kind>
 class CallsOfKind {
  protected:

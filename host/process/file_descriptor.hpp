@@ -135,8 +135,7 @@ FileDescriptor shared_file(std::size_t bytes);
 // Maps a file into memory. Throws std::system_error, also if the file is not a memory file (only memory may be written
 // to) or too short (a write beyond its end would raise a signal).
 void* map_shared_file(const FileDescriptor& file, std::size_t bytes);
-// Maps memory that copies of this process share. It has no file, so a limit on file sizes has no effect. Throws
-// std::system_error.
+// Maps memory that copies of this process share. No limit on file sizes applies to it. Throws std::system_error.
 void* map_for_copies(std::size_t bytes);
 
 // Selects the SharedMemory constructor for memory that only copies of this process share. The memory has no descriptor.

@@ -9,8 +9,7 @@
 //   event     an event of the referee
 //   truth     once a second: all robots ([x, y, heading]), ball and score, in the field frame of the home team; half a
 //             turn about the centre gives the frame of the away team
-// Lengths are in metres, rounded to the millimetre. Utilities have six decimals; a forbidden pair of robot and task has
-// the utility null.
+// Lengths are in metres, rounded to the millimetre. Utilities have six decimals; that of a forbidden pair is null.
 #pragma once
 
 #include <array>

@@ -38,9 +38,8 @@ std::array<Edge, 4> edges(const Rectangle& r) {
 
 constexpr double gap = 3.0;  // px between a label and its object
 
-// A place of a label: its offset from the centre of the object. across, down: multiples of the distance between this
-// centre and the label's nearest edge, which `away` (px) enlarges. of_width, of_height: multiples of half the label's
-// size.
+// A label's place: its offset from the object's centre. across, down: multiples of the distance between this centre and
+// the label's nearest edge, which `away` (px) enlarges. of_width, of_height: multiples of half the label's size.
 struct Offset {
   double across, down, of_width, of_height, away = 0.0;
 };

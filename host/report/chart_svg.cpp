@@ -82,8 +82,7 @@ Html way_within(const std::vector<Spot>& spots, const Box& box) {
   return out;
 }
 
-// Returns the corners of a shape with its centre at 0 and a half height of about 1. A cross is drawn through its
-// centre.
+// Returns the corners of a shape with its centre at 0 and a half height of about 1. A cross goes through it.
 std::vector<Spot> corners_of(Shape shape) {
   if (shape == Shape::triangle) return {{0.0, -1.25}, {1.15, 0.85}, {-1.15, 0.85}};
   if (shape == Shape::square) return {{-0.9, -0.9}, {0.9, -0.9}, {0.9, 0.9}, {-0.9, 0.9}};

@@ -148,8 +148,7 @@ std::string playing_note(const ExperimentView& view) {
   return fmt::format("Mean minutes of a match in the phase Playing: {}.", range);
 }
 
-// Returns a note on the packets of short games: for all arms, or in a sweep for the condition that is most above its
-// share.
+// Returns a note on the packets of short games: for all arms, or in a sweep for the condition most above its share.
 std::string packets_note(const ExperimentView& view) {
   const study::ExperimentPlan& plan = view.plan;
   std::vector<std::string> spent;

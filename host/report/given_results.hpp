@@ -29,8 +29,7 @@ struct SequentialTestOfCounts {
   std::optional<double> pair_ratio;
 };
 
-// counts: results of the first team, not all zero: five numbers for pairs (LL, LD, WL and DD, WD, WW) or three for
-// games (L, D, W).
+// counts: of the first team, not all zero: of pairs (LL, LD, WL and DD, WD, WW) or of games (L, D, W).
 SequentialTestOfCounts test_counts(const std::vector<statistics::Count>& counts,
                                    const statistics::SequentialDesign& design);
 std::string counts_text(const SequentialTestOfCounts& test);

@@ -85,8 +85,7 @@ std::string number_of_pairs(const study::ExperimentPlan& plan);
 std::string stopped_sentence(const study::TournamentPlan& plan);
 std::string stopped_sentence(const study::ExperimentPlan& plan);
 
-// Adds notes for a user who continues the study: there are too few pairs for a verdict, or a time limit has ended the
-// study.
+// Adds notes for a user who continues the study: there are too few pairs for a verdict, or a time limit has ended it.
 template <class Plan>
 void add_notes_on_pairs(const Plan& plan, std::vector<std::string>& notes) {
   if (const std::string few = too_few_pairs(plan); !few.empty()) notes.push_back(few);

@@ -26,8 +26,7 @@ std::string name_of_role(std::string_view role);  // "wing left" for "playing.wi
 
 // Words that figures use for a measure of an experiment or a tuning. Tables and documents use the path of the measure.
 std::string measure_words(std::string_view measure);  // "striker held twice" for "striker.overlap_seconds"
-// Returns words and unit of a measure, for an axis: "changes of holder, per match". Words beyond `longest` characters
-// are cut.
+// Returns words and unit of a measure, for an axis: "changes of holder, per match". Cut after `longest` characters.
 std::string measure_axis(std::string_view measure, std::size_t longest = 60);
 
 // Returns a plugin's declaration as JSON for programs.

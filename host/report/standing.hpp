@@ -13,8 +13,7 @@
 
 namespace regista::report {
 
-// The strength of two teams in their pairing. strength() returns nothing if no pair is complete, or if unplayed pairs
-// prevent a verdict.
+// The strength of two teams in their pairing. strength(): nothing without a complete pair or a possible verdict.
 struct Strength {
   statistics::ScoreLaw law;
   statistics::Estimate elo, normalized_elo;

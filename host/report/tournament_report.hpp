@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The report of a tournament. For two teams, its lines have the form that users of programs for tests of chess engines
-// know.
+// The report of a tournament. For two teams its lines have the form that testers of chess engines know.
 #pragma once
 
 #include <filesystem>

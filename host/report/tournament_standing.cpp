@@ -157,8 +157,7 @@ void add_others(const Meeting& meeting, const Strength& known, Section& lines, T
              "both lost · lost and drawn · even · won and drawn · both won, for tests on scores"});
 }
 
-// Adds the pairing of two teams. A terminal shows lines as the chess program fastchess prints them, a page shows
-// tables.
+// Adds the pairing of two teams. A terminal shows lines as the chess program fastchess prints them, a page tables.
 void add_meeting(const TournamentView& view, Section& out) {
   const Meeting& meeting = view.course.meetings().front();
   const std::optional<Strength> known = strength(view.course, meeting);

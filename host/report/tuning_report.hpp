@@ -54,8 +54,7 @@ struct TunedValue {
   RangeEnd at = RangeEnd::none;  // end of the range if `tuned` is closer to this end than a hundredth of the range
 };
 // Returns the base and tuned values of the free parameters. The tuned values are those of the finalist record.tuned():
-// the first candidate that was found better than the base team or, if none was, the first candidate. Empty if there are
-// no candidates.
+// the first candidate found better than the base team, or else the first. Empty if there are no candidates.
 std::vector<TunedValue> tuned_values(const TuningView& view);
 
 // Returns the index of the finalist whose values are the centre of the slices: record.tuned() or, if there are no

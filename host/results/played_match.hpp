@@ -36,8 +36,7 @@ StoredMatch read_stored_match(const std::string& results, const std::string& row
 enum class Changed { refused, played };
 
 // Sets up a stored match. Throws BadInput if this cannot be done in its stored form; with Changed::played, only if it
-// cannot be done at all. Throws output::WriteError if there is no room for copies of its files. program: the name in
-// messages.
+// cannot be done at all. Throws output::WriteError without room for copies of its files. program: the name in messages.
 std::unique_ptr<campaign::StoredSetup> set_up(const StoredMatch& stored, const plugin::Catalogue& catalogue,
                                               const std::string& program, Changed changed = Changed::refused);
 

@@ -16,8 +16,7 @@ namespace regista::statistics {
 // any distribution of the values within their bounds. The means against which no gambler became rich form a confidence
 // sequence. I. Waudby-Smith and A. Ramdas, "Estimating means of bounded random variables by betting", Journal of the
 // Royal Statistical Society B 86, 2024: predictable plug-in bets (their equations 24 to 26) and the hedged capital of
-// theorem 3: two gamblers start with half of the capital each; one bets that the true mean is larger than m, the other
-// that it is smaller.
+// theorem 3: two gamblers with half of the capital each; one bets on a true mean above m, the other on one below it.
 //
 // For goal differences, the mercy rule gives the bounds. Callers add the values in the order of the schedule.
 // Precondition: the expectation of each value, given the values before it, is the same mean.

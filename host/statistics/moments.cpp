@@ -50,9 +50,8 @@ double student_t_quantile(double probability, double degrees) {
 
 double noncentral_t_above(double t, double degrees, double noncentrality) {
   assert(degrees > 0.0);
-  // Beyond these limits the series of Boost needs too many terms. A normal distribution with the same mean and
-  // second-order variance has an error below 1e-6: Abramowitz and Stegun, "Handbook of Mathematical Functions",
-  // 26.7.10.
+  // Beyond these limits the series of Boost needs too many terms. The normal law of the same mean and second-order
+  // variance errs by less than 1e-6: Abramowitz and Stegun, "Handbook of Mathematical Functions", 26.7.10.
   constexpr double most_degrees = 1e4, most_noncentrality = 30.0;
   if (degrees > most_degrees || std::abs(noncentrality) > most_noncentrality) {
     const double z = (t * (1.0 - 1.0 / (4.0 * degrees)) - noncentrality) / std::sqrt(1.0 + t * t / (2.0 * degrees));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tests whether one value per pair of matches, such as the goal difference, has mean 0. Precondition: the number of
 // pairs was fixed beforehand. Repeated looks make such a test reject far too often; anytime_valid_tests.hpp has tests
-// for repeated looks. This file also computes the number of pairs that a test needs, and adjusts p-values of several
-// comparisons.
+// for them. This file also computes the number of pairs that a test needs, and adjusts p-values of several comparisons.
 #pragma once
 
 #include <array>

@@ -45,8 +45,7 @@ struct ExperimentPlan : StudyPlan<config::Experiment> {
   std::vector<Condition> conditions;  // make_jobs() makes them from `asked`, except the jobs' inputs
   std::uint64_t pairs = 0;            // pairs of matches for each condition
   std::string pairs_before;           // values of `pairs` before with_pairs() raised it: "100, 150"
-  // Set if a time limit (--until, --minutes), not a result, stopped the experiment: the number of pairs that were
-  // played until then.
+  // Set if a time limit (--until, --minutes), not a result, stopped the experiment: the number of pairs played.
   std::optional<std::uint64_t> ended_after;
   std::vector<std::string> measures;   // names (study/measure.hpp) in the order of reports
   std::vector<std::string> documents;  // resolved documents of arms (at the first swept value) and opponent

@@ -216,8 +216,7 @@ class InputDifferences {
   // lines: the differences that are known already.
   explicit InputDifferences(std::vector<std::string> lines = {}) : lines_(std::move(lines)) {}
 
-  // Adds what differs between the inputs of then and today. whose: the beginning of each line, such as "the opponent:
-  // ".
+  // Adds what differs between the inputs of then and today. whose: beginning of each line, such as "the opponent: ".
   void add(const std::string& whose, std::span<const campaign::Input> then, std::span<const campaign::Input> today) {
     for (const std::string& each : campaign::differences(then, today)) texts::add_once(lines_, whose + each);
   }

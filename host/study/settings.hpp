@@ -101,8 +101,7 @@ struct StudyPlan {
 campaign::Job job_under(const config::MatchSettings& settings, const std::vector<std::string>& plugins);
 
 // Sets up the match of a job with `settings` in place of the job's own overrides. said: the same settings with the
-// paths of the study's document, which error messages show. Throws config::Error with the place of the mistake in a
-// document.
+// paths of the study's document, which error messages show. Throws config::Error at the mistake in a document.
 campaign::MatchSetup match_of(const campaign::Job& job, const config::Overrides& settings,
                               const config::Overrides& said, const plugin::Catalogue& catalogue);
 

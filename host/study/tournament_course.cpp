@@ -104,8 +104,7 @@ void MetricDifference::add(double first, double second) {
 statistics::Estimate MetricDifference::estimate() const {
   const double mean = difference_.mean(), variance = difference_.variance();
   double half = std::numeric_limits<double>::infinity();
-  // The mixing variance of 1/16 of the variance finds a mean of 1/4 standard deviation fastest, after about forty
-  // pairs.
+  // A mixing variance of 1/16 of the variance finds a mean of 1/4 standard deviation fastest, in about forty pairs.
   if (variance > 0.0) {
     half = statistics::mixture_half_width({difference_.count(), variance, variance / 16.0}, alpha_);
   }

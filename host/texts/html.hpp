@@ -42,8 +42,7 @@ class Html {
   std::string text_;
 };
 
-// Converts any text to its visible form (message.hpp) with HTML escapes, for content and for attribute values in double
-// quotes.
+// Converts text to its visible form (message.hpp) with HTML escapes, for content and attribute values in double quotes.
 Html text(std::string_view text);
 Html lines(std::string_view text);  // keeps line ends, for <pre>
 

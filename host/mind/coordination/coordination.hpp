@@ -187,8 +187,7 @@ class EventDetector {
  public:
   explicit EventDetector(int own_number) : own_number_(own_number) {}
 
-  // Fills `out` with the events since the last call, once in each decision. `searching`: the own role looks for the
-  // ball.
+  // Fills `out` with the events since the last call, once a decision. `searching`: the own role looks for the ball.
   void detect(const Percepts& percepts, const WorldModel& world, const Decision& decision, bool searching,
               std::vector<regista_event>& out);
 

@@ -38,8 +38,7 @@ class InstanceExtensions {
 
  private:
   static InstanceExtensions& of(void* context) { return *static_cast<InstanceExtensions*>(context); }
-  // Resets the counts that are limited for each decision, with the first call in a decision. Few plugins log or draw,
-  // and to reset the counts of all at its beginning would fetch the memory of all.
+  // Resets the counts of a decision with the first call in it: to reset all at its beginning would fetch all memory.
   void begin_call();
 
   Extensions* owner_;

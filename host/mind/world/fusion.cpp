@@ -351,7 +351,7 @@ void OpponentFusion::add(std::span<const regista_track> tracks, int source) {
   }
   std::uint64_t placed = 0;  // one bit for each track
   for (;;) {
-    // The track of least distance; written so that no branch depends on a comparison, which would be mispredicted.
+    // The track of least distance, without a branch, which would be mispredicted.
     double least = none;
     std::size_t i = seen.size();
     for (std::size_t k = 0; k < seen.size(); ++k) {

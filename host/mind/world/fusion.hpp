@@ -157,8 +157,7 @@ class OpponentFusion {
   // Sources may be added in any order, but the order decides where more than one association is possible.
   void add(std::span<const regista_track> tracks, int source);
   // Replaces `out` with at most `most` opponents. That one comes first which most likely exists and is within 1 m of
-  // its place: where more are known than can play, the least sure place gives way. More sources may be added
-  // afterwards.
+  // its place: of more than can play, the least sure gives way. More sources may be added afterwards.
   void write(std::size_t most, std::vector<regista_opponent>& out);
 
  private:

@@ -167,8 +167,7 @@ class WorldModel {
  public:
   WorldModel(const TeamPlan& plan, int own_number, LocalModel local, TeamModel team, FrameParts made);
 
-  // Calls in each decision, in this order: sense(), hear() for each report, fuse(). `last`: last decision's frame or
-  // null.
+  // Each decision calls, in this order: sense(), hear() for each report, fuse(). `last`: last decision's frame or null.
   void sense(const Percepts& percepts, double dt, const regista_frame* last);
   void hear(const Report& report, double now) { team_.absorb(report, now); }
   void fuse(const Percepts& percepts, double dt, const OwnRole& own);

@@ -101,8 +101,7 @@ constexpr std::size_t most_recommended = 8;
 
 // At most `most` of the candidates, best first. A candidate's rank is the mean value of its neighbours: the 2
 // sqrt(number of points) points (rounded up) that are nearest to it. Of two equally near points, the earlier point
-// counts. Of two candidates with equal means, the earlier candidate is first. Precondition: one or more points, with
-// one value each.
+// counts. Of two equal means, the earlier candidate is first. Precondition: one or more points, with one value each.
 std::vector<Point> best_by_neighbours(std::span<const Point> points, std::span<const double> values,
                                       std::span<const Point> candidates, std::size_t most);
 

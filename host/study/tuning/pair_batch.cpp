@@ -166,8 +166,7 @@ PlayedScore played_score(const TuningPlan& plan, const PairBatch& batch, std::si
     const std::optional<ScoreBounds> bounds = score_bounds(plan);
     out.counted = bounds ? bounds->low : worst;
   } else if (out.score.pairs == 0) {
-    // If opponents forfeited or the metric is missing, nothing shows that the values are good. The score is then the
-    // worst so far.
+    // If opponents forfeited or the metric is missing, nothing speaks for the values: the score is the worst so far.
     out.counted = std::isfinite(worst) ? worst : 0.0;
   } else {
     out.counted = out.score.mean;

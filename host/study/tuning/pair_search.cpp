@@ -43,8 +43,7 @@ class PairEvaluation {
       : source_(source), pairs_(pairs), steps_(steps) {}
 
   // Returns the number that the search gets for each of `points`, and adds a step for each. Plays matches only for
-  // points without a score on this set of pairs. set: Question::pairs, the number of the pairs that all these points
-  // play.
+  // points without a score on this set of pairs. set: Question::pairs, the number of the pairs that all points play.
   std::vector<double> of(const std::vector<ParameterValues>& points, std::uint64_t set) {
     std::vector<ParameterValues> fresh;
     for (const ParameterValues& each : points) {
@@ -203,8 +202,7 @@ OutOfTime search_clock(campaign::Store& store, const TuningPlan& plan, std::opti
   const double most = plan.asked.search.minutes ? 60.0 * *plan.asked.search.minutes : HUGE_VAL;
   return [&store, most, end_of_time, before = stored_time(store),
           began = std::optional<Clock::time_point>()](std::uint64_t evaluations) mutable {
-    // The search repeats an earlier run from stored results, which takes no time, so the time limit does not stop it
-    // here.
+    // The search repeats an earlier run from stored results, which takes no time, so the time limit does not stop it.
     if (evaluations < before.evaluations) return false;
     if (!began) began = Clock::now();
     const double seconds = before.seconds + std::chrono::duration<double>(Clock::now() - *began).count();

@@ -217,8 +217,7 @@ SearchResult nlopt_search(Algorithm algorithm, const SearchSettings& settings, E
     next_pairs = generations ? run.pairs_of(run.asked - 1) + 1 : 0;
     start = inquiry.best(1).front();
   }
-  // Means over the same pairs rank points directly. Single values are noisy, so best_by_neighbours() ranks their
-  // points.
+  // Means over the same pairs rank points directly. Single values are noisy, so best_by_neighbours() ranks them.
   std::vector<Point> recommended = inquiry.best(generations ? candidates : most_recommended);
   if (generations && !recommended.empty()) {
     recommended = best_by_neighbours(inquiry.points(), inquiry.values(), recommended, most_recommended);

@@ -111,8 +111,7 @@ class TuningPlanner : Planner<TuningPlan> {
     for (const config::Node& each : plan_.asked.search.start_from) plan_.starts.push_back(point_given(each));
   }
 
-  // Returns the values of a point of search.start_from. A parameter that the point does not name has the base team's
-  // value.
+  // Returns the values of a point of search.start_from. A parameter that it does not name has the base team's value.
   ParameterValues point_given(const config::Node& point) const {
     ParameterValues out = start_values(plan_);
     const std::vector<std::string> known = texts::names_of(plan_.parameters, &Parameter::path);
