@@ -47,7 +47,6 @@ docs/statistics.md says how it is computed.)";
 
 constexpr const char* points = "points";   // the metric of a match's result
 constexpr std::uint64_t usual_pilot = 10;  // pairs
-constexpr double usual_difference = 0.5;   // goals per match
 
 struct PowerOptions : StudyOptions {
   std::string metric, difference, power, pairs, pilot;
@@ -127,7 +126,7 @@ int tell(const std::string& file, const campaign::Store& store, const PowerOptio
       study::design_of(plan), asked.difference, asked.pairs ? asked.pairs : own, has_test, compared, several};
   question.design.power = asked.power;
   const bool of_goals = measure == study::goals_value || measure == "goal_difference" || measure == "goals_against";
-  if (!question.difference && of_goals) question.difference = usual_difference;
+  if (!question.difference && of_goals) question.difference = study::usual_difference;
   const study::PairDifferences study = study::pair_differences(plan, store, measure);
   if (in_elo(options)) {
     // Of two teams that meet, one loses the points that the other gains. Arms of an experiment meet others.

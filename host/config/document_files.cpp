@@ -87,9 +87,10 @@ std::string neighbour(const fs::path& file, bool is_document) {
   if (!near.empty() && near != asked) return fmt::format("; nearest: {}", texts::in_quotes(near));
   std::vector<std::string> begun;  // names that begin with all but the last letter of what was asked
   for (const std::string& each : names) {
-    if (is_name(file) && begun.size() < 4 && each.starts_with(asked.substr(0, asked.size() - 1))) begun.push_back(each);
+    const bool begins = is_name(file) && asked.size() > 2 && each.starts_with(asked.substr(0, asked.size() - 1));
+    if (begins && begun.size() < 4) begun.push_back(each);
   }
-  if (asked.size() > 2 && !begun.empty()) return "; nearest: " + texts::join(begun);
+  if (!begun.empty()) return "; nearest: " + texts::join(begun);
   const bool may_be_team = is_document && is_name(file) && !teams.empty();
   return may_be_team ? fmt::format("; shipped teams: {}", texts::join(teams)) : "";
 }

@@ -288,11 +288,8 @@ class TableWriter {
     }
     const std::vector<std::string> keys = texts::names_of(
         declared.exactly_one, [&](const std::string& key) { return fmt::format("`{}{}`", prefix, key); });
-    const std::string within =
-        prefix.empty() ? "" : fmt::format("Within `{}` exactly", prefix.substr(0, prefix.size() - 1));
-    if (!keys.empty())
-      remarks_ +=
-          fmt::format("\n{} one of {} must be given.\n", within.empty() ? "Exactly" : within, fmt::join(keys, ", "));
+    const std::string start = prefix.empty() ? "E" : fmt::format("Within `{}` e", prefix.substr(0, prefix.size() - 1));
+    if (!keys.empty()) remarks_ += fmt::format("\n{}xactly one of {} must be given.\n", start, fmt::join(keys, ", "));
     for (const auto& [key, other] : declared.needs) {
       remarks_ += fmt::format("\n`{0}{1}` goes with `{0}{2}`.\n", prefix, key, other);
     }

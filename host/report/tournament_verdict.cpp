@@ -29,9 +29,6 @@ Sentence numbers_of(const TournamentView& view, const Meeting& meeting) {
                                            meeting.matches(), 100.0 * share, meeting.goals[0], meeting.goals[1]);
 }
 
-// Smallest difference that matters to readers, goals per game. A scene lasts 20 to 60 s and has a tenth of the goals.
-double worth_finding(const TournamentView& view) { return view.plan.openings.empty() ? 0.5 : 0.1; }
-
 // Returns " (95 % interval 2.90 to 4.48)" for the leading team; empty without an interval.
 std::string interval_clause(const Strength& known) {
   if (!known.goals_t) return {};
@@ -52,7 +49,7 @@ Sentence beats(const TournamentView& view, const Meeting& meeting, int side) {
                         interval_clause(known));
 }
 
-// Returns a sentence: the played pairs can find a difference of worth_finding(), or a tournament of how many can.
+// Returns a sentence: the played pairs can find a difference that matters, or a tournament of how many can.
 // beside: gets what that number rests on.
 std::string what_more_would_find(const TournamentView& view, const Meeting& meeting, std::vector<Sentence>& beside) {
   if (const std::string few = too_few_pairs(view.plan); !few.empty()) return few + ".";
@@ -60,10 +57,10 @@ std::string what_more_would_find(const TournamentView& view, const Meeting& meet
   if (!(meeting.goals_of_pairs.standard_deviation() > 0.0)) return "All pairs ended with the same goal difference.";
   const statistics::Spread spread(meeting.goals_of_pairs);
   const auto needed = [&](const statistics::Spread& each) {
-    return statistics::pairs_needed(worth_finding(view), each, study::design_of(view.plan));
+    return statistics::pairs_needed(study::usual_difference, each, study::design_of(view.plan));
   };
   const std::string found = fmt::format("find a difference of {} goals a {} in four of five cases.",
-                                        worth_finding(view), game_word(view.plan));
+                                        study::usual_difference, game_word(view.plan));
   const auto all = needed(spread);
   if (!all) return fmt::format("No tournament of up to {} pairs would {}", statistics::most_pairs_asked, found);
   if (static_cast<std::uint64_t>(*all) > pairs) {

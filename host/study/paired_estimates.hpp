@@ -112,6 +112,8 @@ PairDifferences pair_differences(const TournamentPlan& plan, const campaign::Sto
 // The differences for each comparison of the experiment, in the unit of the measure (measure.hpp).
 PairDifferences pair_differences(const ExperimentPlan& plan, const campaign::Store& store, const std::string& measure);
 
+inline constexpr double usual_difference = 0.5;  // goals a match: what a study is to find unless another is named
+
 // The design of a power calculation: test for a fixed number of pairs, number of comparisons at its level, usual power.
 statistics::PowerDesign design_of(const TournamentPlan& plan);
 statistics::PowerDesign design_of(const ExperimentPlan& plan);

@@ -57,6 +57,7 @@ struct FixedRate {
     schedule = fresh;
     team_size = static_cast<int>(environment->team_size);
     for (const regista::Role& role : environment.roles()) is_fast.push_back(fast_role == role.name);
+    // A team without the role of the default sends alike; another name is asked for, and must be a role.
     const bool asked = !fast_role.empty() && fast_role != FixedRate{}.fast_role;
     if (asked && std::ranges::find(is_fast, true) == is_fast.end()) {
       std::string known;

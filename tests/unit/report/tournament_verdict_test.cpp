@@ -29,6 +29,10 @@ TEST(TournamentVerdict, OfAFixedNumberOfPairs) {
   EXPECT_EQ(sentence(clear), "new beats old by 0.159 goals a match (95 % interval 0.081 to 0.236).");
   EXPECT_THAT(beside(clear), AllOf(HasSubstr("new has 336.0 of 580 points (58 %), goals 277:185"),
                                    HasSubstr("exact sign flips of the pairs' goal differences")));
+  clear.plan.pairs_before = "100";
+  EXPECT_EQ(
+      sentence(clear),
+      "new is ahead of old by 0.159 goals a match (95 % interval 0.081 to 0.236). Pairs were added after a look.");
   Course other({"new", "old"}, 290);
   other.take_pairs({{75, 64, 63, 54, 34}});
   EXPECT_EQ(sentence(other), "old beats new by 0.159 goals a match (95 % interval 0.081 to 0.236).");
